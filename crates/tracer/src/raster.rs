@@ -55,7 +55,8 @@ pub fn draw(
     draw_through(scene, scene.camera(), method, settings, control, &mut CubeMaps::new())
 }
 
-/// The same through a camera of [`RenderScene::camera_for`], with cube maps that are kept in `maps` from picture to picture.
+/// Draws `scene` by `method` through a camera of [`RenderScene::camera_for`], with cube maps that are kept in `maps` from
+/// picture to picture.
 ///
 /// # Errors
 /// As for [`draw`].

@@ -312,7 +312,7 @@ pub(crate) fn mul<R: Float>(rows: &[[f32; 3]; 3], v: Vector<R>) -> Vector<R> {
     Vector::new(along(rows[0], v), along(rows[1], v), along(rows[2], v))
 }
 
-/// The same of a diagonal matrix. Adding 0 takes the sign from a zero, as the other terms would: a line along a layer
+/// The product of a diagonal matrix, given by rows, with a vector. Adding 0 takes the sign from a zero, as the other terms would: a line along a layer
 /// has one side of it only.
 #[inline(always)]
 pub(crate) fn scale<R: Float>([a, b, c]: &[[f32; 3]; 3], v: Vector<R>) -> Vector<R> {

@@ -132,7 +132,7 @@ impl BvhNode {
         slots.filter(|(first, count)| **first != 0 && **count == 0).map(|(first, _)| *first)
     }
 
-    /// The same, to be changed. None of them is the root.
+    /// The places of the inner nodes below this one, to be changed. None of them is the root.
     fn children_mut(&mut self) -> impl Iterator<Item = &mut u32> {
         let slots = self.first.iter_mut().zip(&self.count);
         slots.filter(|(first, count)| **first != 0 && **count == 0).map(|(first, _)| first)

@@ -112,7 +112,7 @@ impl BoundingCone {
         Self { body, axis: [1.0, 0.0, 0.0], cos: -2.0, minus_depth: f32::INFINITY }
     }
 
-    /// The same for rays that start so far on the way.
+    /// The cone for rays that start so far on the way.
     fn nearer_by(self, way: f32) -> Self {
         Self { minus_depth: self.minus_depth + way * (1.0 + ROUNDING as f32), ..self }
     }

@@ -239,7 +239,7 @@ impl FrameUniforms {
         frame
     }
 
-    /// The same for the tiles from `first_tile` on and `samples` further samples (at most [`FRAME_PLACES`]) of pixels
+    /// This frame for the tiles from `first_tile` on and `samples` further samples (at most [`FRAME_PLACES`]) of pixels
     /// that have `samples_done`.
     pub fn dispatch(&self, first_tile: u32, samples_done: u32, samples: u32) -> Self {
         let mut frame = Self { first_tile, samples_done, samples: samples.min(FRAME_PLACES as u32), ..*self };

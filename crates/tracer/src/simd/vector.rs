@@ -27,7 +27,7 @@ impl<R: Float> Vector<R> {
         Self { x, y, z }
     }
 
-    /// The same vector for all.
+    /// One vector for all lanes.
     #[inline(always)]
     pub(crate) fn splat(like: R, [x, y, z]: [f32; 3]) -> Self {
         Self::new(like.like(x), like.like(y), like.like(z))

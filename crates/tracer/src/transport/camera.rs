@@ -222,7 +222,7 @@ impl RenderCamera {
         [self.u, self.v, -self.w]
     }
 
-    /// The same surroundings seen by another camera.
+    /// A view of the same surroundings through another camera.
     pub(crate) fn replaced_by(&self, camera: &Camera) -> Self {
         Self::new(camera, self.surroundings.clone(), self.origin)
     }

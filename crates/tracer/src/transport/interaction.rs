@@ -30,7 +30,7 @@ pub(crate) struct SurfaceInteraction<W: Width> {
     pub(crate) shininess: W::R,
     /// k_r, or what is reflected under this angle; of what is clear, only the crossing tells.
     pub(crate) reflection: W::R,
-    /// The same of what reflects in color.
+    /// The reflectance of what reflects in color, of each channel.
     sheen: Vector<W::R>,
     /// k_t·τ.
     pub(crate) filter: Vector<W::R>,

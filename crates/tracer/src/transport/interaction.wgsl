@@ -20,13 +20,7 @@ struct SurfaceInteraction {
 fn interaction(ray: Ray, hit: HitRecord) -> SurfaceInteraction {
     let point = surface_point(hit.body, ray, hit.t, hit.leaving);
     let material = material_of(hit.body);
-    var color = color_at(material.color, hit.body, point.in_body);
-    if HAS_CHECKERS && bodies[hit.body].checker != NO_BODY {
-        let checker = checkers[bodies[hit.body].checker];
-        if checker_is_odd(checker, point.in_body) {
-            color = checker.color;
-        }
-    }
+    let color = checkered(color_at(material.color, hit.body, point.in_body), hit.body, point.in_body);
     var at: SurfaceInteraction;
     at.t = hit.t;
     at.body = hit.body;

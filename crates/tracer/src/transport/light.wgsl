@@ -15,3 +15,14 @@ struct LightSample {
     distance: f32,
     power: vec3<f32>,
 }
+
+// What the center of a light gives to a point; none at the distance 0.
+fn light_center(light: Light, position: vec3<f32>) -> LightSample {
+    let offset = light.position - position;
+    let distance = sqrt(dot(offset, offset));
+    // A light that stands exactly here has no direction.
+    if !(distance > 0.0) {
+        return LightSample(vec3(0.0), 0.0, vec3(0.0));
+    }
+    return LightSample(offset * (1.0 / distance), distance, power_at(light, distance));
+}

@@ -82,7 +82,7 @@ impl MediumStacks {
         None
     }
 
-    /// The same media for light of one wave, less than 256.
+    /// A list of media for light of one wave, less than 256.
     pub(crate) fn colored(&mut self, media: u32, wave: u32) -> u32 {
         let mut bodies: Vec<u32> = self.bodies(media).collect();
         bodies.push(WAVES + wave.min(u32::MAX - 1 - WAVES));

@@ -127,7 +127,7 @@ pub(crate) trait PathObserver<W: Width> {
     #[inline(always)]
     fn on_refraction(&mut self, _coefficients: Vector<W::R>) {}
 
-    /// The same of reflected ones.
+    /// The coefficients of rays that are reflected, before they are, if at all.
     #[inline(always)]
     fn on_reflection(&mut self, _coefficients: Vector<W::R>) {}
 

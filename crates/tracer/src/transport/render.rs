@@ -61,7 +61,7 @@ pub fn render(
     render_through(scene, scene.camera(), settings, control)
 }
 
-/// The same through a camera of [`RenderScene::camera_for`].
+/// Renders a scene through a camera of [`RenderScene::camera_for`].
 ///
 /// # Errors
 /// As for [`render`].
@@ -76,7 +76,8 @@ pub fn render_through(
     Ok(RenderOutput { picture, counts })
 }
 
-/// The same into a picture that shows anything, of the size that is wanted. The rays that were traced.
+/// Renders a scene through a camera into a picture that shows anything, of the size that is wanted. The rays that were
+/// traced.
 ///
 /// # Errors
 /// When the render is cancelled; then the picture shows some of both.

@@ -54,7 +54,7 @@ pub struct RenderScene {
     pub(crate) disperses: bool,
     /// How many rays are traced side by side: kept, since asking the processor can take longer than a tile.
     pub(crate) lanes: SimdLevel,
-    /// See [`Self::candidates_to_lights`].
+    /// For each light, the bodies that may stand in the way to it: [`Self::candidates_to_lights`] finds them.
     to_lights: OnceLock<Vec<Option<VisibleBodies>>>,
     /// Materials and checkers that edits have added.
     added: u32,
@@ -190,7 +190,7 @@ impl RenderScene {
         Ok(render_scene)
     }
 
-    /// The same scene with another limit of generations (at least 1).
+    /// This scene with another limit of generations (at least 1).
     pub fn with_generations(mut self, generations: u32) -> Self {
         self.generations = generations.clamp(1, Tracing::MAX_GENERATIONS);
         self
@@ -234,7 +234,7 @@ impl RenderScene {
         &self.camera
     }
 
-    /// The same scene seen by another camera; nothing is prepared again.
+    /// The camera of this scene replaced by another; nothing is prepared again.
     pub fn camera_for(&self, camera: &Camera) -> RenderCamera {
         self.camera.replaced_by(camera)
     }

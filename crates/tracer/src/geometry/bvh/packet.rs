@@ -70,7 +70,7 @@ pub(crate) struct PacketBoxTest<W: Width> {
     origin: Vector<W::R>,
     inverse: Vector<W::R>,
     lanes: W::M,
-    /// The same, to take single rays from.
+    /// `origin` and `inverse` as numbers, to take single rays from.
     origins: [[f32; MOST_LANES]; 3],
     inverses: [[f32; MOST_LANES]; 3],
     /// All of them together, if they run the same way along each axis.

@@ -58,7 +58,7 @@ pub(crate) fn best_split(entries: &[BuildEntry]) -> Option<SahSplit> {
     }
 }
 
-/// The same with so many intervals along each axis.
+/// The best split among those between so many intervals along each axis.
 fn best_of<const COUNT: usize>(entries: &[BuildEntry]) -> Option<SahSplit> {
     let intervals = BinGrid::new(&centers_of(entries), COUNT);
     if !intervals.is_any() {

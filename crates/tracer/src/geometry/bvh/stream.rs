@@ -278,7 +278,7 @@ impl Bvh {
         }
     }
 
-    /// The same for a list of rays, perhaps all of one octant.
+    /// Shows `visitor` the leaves that a list of rays meets, perhaps all of one octant.
     #[inline(always)]
     fn traverse_list<W: Width, V: StreamVisitor>(
         &self,

@@ -37,7 +37,7 @@ pub(crate) fn half_open<R: Float>(
     }
 }
 
-/// The same with both planes.
+/// Where a line crosses a slab between two planes, both of which belong to it.
 #[inline(always)]
 pub(crate) fn closed<R: Float>(
     origin: R,

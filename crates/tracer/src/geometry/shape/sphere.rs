@@ -20,8 +20,8 @@ pub(crate) fn span<R: Float>(origin: Vector<R>, direction: Vector<R>) -> ShapeSp
     ShapeSpan::chord(closest, one, offset.length_squared(), inverse_dd)
 }
 
-/// The same for a sphere of any radius and a direction of length 1: nothing is divided. `origin` is relative to the
-/// center.
+/// Where a line with a direction of length 1 crosses a sphere of any radius: nothing is divided. `origin` is relative to
+/// the center.
 #[inline(always)]
 pub(crate) fn world_span<R: Float>(radius: f32, origin: Vector<R>, direction: Vector<R>) -> ShapeSpan<R> {
     let closest = -origin.dot(direction);

@@ -46,7 +46,7 @@ impl<'a> WhittedIntegrator<'a> {
         Self::through(scene, scene.camera(), cancel)
     }
 
-    /// The same through a camera of [`RenderScene::camera_for`].
+    /// A walker over `scene` through a camera of [`RenderScene::camera_for`], stopped by `cancel`.
     pub fn through(scene: &'a RenderScene, camera: &'a RenderCamera, cancel: &'a AtomicBool) -> Self {
         Self {
             shading: ShadingContext::new(scene, camera),
@@ -56,12 +56,12 @@ impl<'a> WhittedIntegrator<'a> {
         }
     }
 
-    /// The same, stopped by a [`RenderControl`].
+    /// A walker over `scene` through a camera of [`RenderScene::camera_for`], stopped by a [`RenderControl`].
     pub fn watched(scene: &'a RenderScene, camera: &'a RenderCamera, control: &'a RenderControl) -> Self {
         Self::through(scene, camera, &control.cancel)
     }
 
-    /// The same walker with other limits than the scene's: of generations (at least 1), and the weight below which rays
+    /// This walker with other limits than the scene's: of generations (at least 1), and the weight below which rays
     /// are not traced.
     pub fn with_limits(self, generations: u32, threshold: f32) -> Self {
         let generations = generations.clamp(1, Tracing::MAX_GENERATIONS);

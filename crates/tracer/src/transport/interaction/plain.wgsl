@@ -16,13 +16,7 @@ struct SurfaceInteraction {
 fn interaction(ray: Ray, hit: HitRecord) -> SurfaceInteraction {
     let point = surface_point(hit.body, ray, hit.t, hit.leaving);
     let material = materials[bodies[hit.body].material];
-    var color = color_at(material.color, hit.body, point.in_body);
-    if HAS_CHECKERS && bodies[hit.body].checker != NO_BODY {
-        let checker = checkers[bodies[hit.body].checker];
-        if checker_is_odd(checker, point.in_body) {
-            color = checker.color;
-        }
-    }
+    let color = checkered(color_at(material.color, hit.body, point.in_body), hit.body, point.in_body);
     let start = hit.body | select(0u, INWARDS, hit.leaving);
     let ambient = color * (frame.ambient * material.ambient);
     return SurfaceInteraction(start, point.in_world, point.normal, ambient, color * material.diffuse, material);

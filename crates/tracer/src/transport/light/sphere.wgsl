@@ -1,4 +1,4 @@
-// Twin of light.rs for stages in which lights may be balls.
+// Twin of light.rs for scenes in which lights may be balls.
 
 struct Light {
     position: vec3<f32>,
@@ -37,18 +37,11 @@ fn sample_sphere(light: Light, to_middle: vec3<f32>, d: f32, thrown: Sample2D) -
 // The light of the scene with this number at a point; none at the distance 0.
 fn sample_light(index: u32, at: ptr<function, SurfaceInteraction>, generation: u32) -> LightSample {
     let light = lights[index];
-    let offset = light.position - (*at).position;
-    let distance = sqrt(dot(offset, offset));
-    // A light that stands exactly here has no direction.
-    if !(distance > 0.0) {
-        return LightSample(vec3(0.0), 0.0, vec3(0.0));
-    }
-    let to_light = offset * (1.0 / distance);
-    let power = power_at(light, distance);
-    if HAS_BALLS && light.radius > 0.0 {
+    let center = light_center(light, (*at).position);
+    if HAS_BALLS && light.radius > 0.0 && center.distance > 0.0 {
         let thrown = sample_2d(generation, (*at).body, FOR_LIGHT + index);
-        let point = sample_sphere(light, to_light, distance, thrown);
-        return LightSample(point.direction, point.distance, power * point.share);
+        let point = sample_sphere(light, center.to_light, center.distance, thrown);
+        return LightSample(point.direction, point.distance, center.power * point.share);
     }
-    return LightSample(to_light, distance, power);
+    return center;
 }

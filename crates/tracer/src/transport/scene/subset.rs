@@ -14,7 +14,7 @@ use crate::transport::scene::log::EditLog;
 const FEW_WANTED: usize = 256;
 
 impl RenderScene {
-    /// The same scene with just those of its bodies that stand at these places in [`Scene::bodies`], `scene` being what
+    /// This scene with just those of its bodies that stand at these places in [`Scene::bodies`], `scene` being what
     /// the scene was prepared from; other places are passed over.
     ///
     /// Camera and numbering stay, so that the same rays meet the same points: what an outline needs. The cost grows
@@ -32,7 +32,7 @@ impl RenderScene {
         self.with_bodies(&chosen)
     }
 
-    /// The same scene without its body `index`.
+    /// This scene without its body `index`.
     pub(crate) fn without(&self, index: u32) -> Self {
         let others: Vec<u32> =
             (0..self.geometry.bodies.len() as u32).filter(|&other| other != index).collect();

@@ -38,7 +38,7 @@ impl<W: Width> Macrosurface<W> {
 }
 
 impl ShadingContext<'_> {
-    /// The same points, with those on rough surfaces seen as the facets that rays meet there, and what the facets make up.
+    /// These points, with those on rough surfaces seen as the facets that rays meet there, and what the facets make up.
     #[inline(never)]
     pub(crate) fn sample_microfacet<W: Width>(
         &self,

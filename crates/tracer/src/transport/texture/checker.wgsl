@@ -20,3 +20,14 @@ fn checker_is_odd(checker: Checker, in_body: vec3<f32>) -> bool {
     let sum = checker_rest(x) + checker_rest(y) + checker_rest(z) + checker.odd_origin;
     return checker_rest(sum) == 1.0;
 }
+
+// The color of a body at a point of its frame, `own` where no checker has another.
+fn checkered(own: vec3<f32>, body: u32, in_body: vec3<f32>) -> vec3<f32> {
+    if HAS_CHECKERS && bodies[body].checker != NO_BODY {
+        let checker = checkers[bodies[body].checker];
+        if checker_is_odd(checker, in_body) {
+            return checker.color;
+        }
+    }
+    return own;
+}

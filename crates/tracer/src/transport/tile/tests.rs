@@ -19,7 +19,7 @@ fn trace<const FULL: bool>(
     trace_parts(render_scene, TILE, trace)
 }
 
-/// The same, of each square of the picture after the other.
+/// The light of a picture's pixels and the rays that it took, each square of the picture traced after the other.
 fn trace_parts<const FULL: bool>(
     render_scene: &RenderScene,
     edge: usize,

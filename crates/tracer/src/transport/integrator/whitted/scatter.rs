@@ -241,7 +241,7 @@ impl WhittedIntegrator<'_> {
         w.mask((0..W::LANES).map(white).fold(0, |bits, bit| bits | bit))
     }
 
-    /// The same media for light of one wave.
+    /// These media for light of one wave.
     fn colored<W: Width>(&mut self, w: W, media: W::W, wave: usize, lanes: W::M) -> W::W {
         let mut lists = [AIR; MOST_LANES];
         media.store(&mut lists);
