@@ -36,6 +36,20 @@ pub(crate) struct BvhNode {
     pub count: [u32; WIDTH],
 }
 
+/// What is done with the leaves that one ray or a packet meets.
+pub(crate) trait LeafVisitor<W: Width> {
+    /// Whether the nearer leaves are better shown first.
+    const NEAREST_FIRST: bool;
+
+    /// The parameters beyond which nothing is wanted any more.
+    fn t_max(&self) -> W::R;
+    /// Asks for bodies that will probably be met soon.
+    #[inline(always)]
+    fn fetch(&self, _bodies: Range<u32>) {}
+    /// Meets the bodies of a leaf, whose box these lanes meet.
+    fn leaf(&mut self, bodies: Range<u32>, lanes: W::M);
+}
+
 /// The hierarchy; the root is the first node.
 #[derive(Clone, Debug)]
 pub(crate) struct Bvh {

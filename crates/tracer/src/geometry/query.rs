@@ -8,8 +8,8 @@ pub(crate) mod stream;
 use std::ops::Range;
 
 use crate::geometry::body::RenderBody;
-use crate::geometry::bvh::Bvh;
-use crate::geometry::bvh::packet::{BodyVisitor, TraversalStack};
+use crate::geometry::bvh::packet::TraversalStack;
+use crate::geometry::bvh::{Bvh, LeafVisitor};
 use crate::geometry::membership::BodyMembership;
 use crate::geometry::query::candidates::Candidates;
 use crate::geometry::query::closest::ClosestHits;
@@ -43,6 +43,17 @@ pub(crate) struct PacketHits<W: Width> {
     pub hit: W::M,
     /// The rays that may meet other bodies there too: they have to be [resolved](Self::resolved).
     pub contested: W::M,
+}
+
+/// What a search does with the bodies that rays may meet: one ray, a packet, or some rays of a stream.
+pub(crate) trait BodyVisitor<W: Width> {
+    /// Whether the nearer bodies are better shown first.
+    const NEAREST_FIRST: bool;
+
+    /// The parameters beyond which nothing is wanted any more.
+    fn t_max(&self) -> W::R;
+    /// Tests a body that these of the rays of `query` may meet.
+    fn body(&mut self, query: &RayQuery<'_, W>, index: u32, lanes: W::M);
 }
 
 /// What the rays know about a body before it is tested.
@@ -143,7 +154,7 @@ impl<'a, W: Width> RayQuery<'a, W> {
     }
 
     #[inline(always)]
-    pub(crate) fn relation(&self, index: u32, body: &RenderBody, lanes: W::M) -> RayBodyLanes<W::M> {
+    fn relation(&self, index: u32, body: &RenderBody, lanes: W::M) -> RayBodyLanes<W::M> {
         let leaves = self.leaves(index);
         let mut inside = self.start.is(index | INWARDS);
         if body.is_transparent() && !self.membership.is_empty() {
@@ -178,10 +189,10 @@ impl<'a, W: Width> RayQuery<'a, W> {
 
     /// The nearest body that each ray meets, of planes and the bounded bodies that `visit` shows.
     #[inline(always)]
-    fn closest_hit_by(&self, visit: impl FnOnce(&mut ClosestHitVisitor<'_, 'a, W>)) -> PacketHits<W> {
+    fn closest_hit_by(&self, visit: impl FnOnce(&mut ClosestHits<W>)) -> PacketHits<W> {
         let mut best = ClosestHits::new(self.w, self.geometry, self.origin_error_bound());
-        visit(&mut ClosestHitVisitor(self, &mut best));
-        self.visit_planes(&mut ClosestHitVisitor(self, &mut best));
+        visit(&mut best);
+        self.visit_planes(&mut best);
         best.first(self.w, self.geometry, self.lanes)
     }
 
@@ -215,7 +226,18 @@ impl<'a, W: Width> RayQuery<'a, W> {
         visitor: &mut impl BodyVisitor<W>,
     ) {
         let boxes = bvh.packet(self.w, self.origin, self.direction, self.lanes);
-        bvh.traverse_packet(self.w, &boxes, stack, &mut SphereCull { query: self, visitor });
+        bvh.traverse_packet(self.w, &boxes, stack, &mut PacketLeaves { query: self, visitor });
+    }
+
+    /// Shows `visitor` the bodies of a leaf near whose spheres some of the rays come.
+    #[inline(always)]
+    pub(crate) fn visit_leaf(&self, bodies: Range<u32>, lanes: W::M, visitor: &mut impl BodyVisitor<W>) {
+        for index in bodies {
+            let lanes = lanes & self.meets_sphere(index, visitor.t_max());
+            if lanes.any() {
+                visitor.body(self, index, lanes);
+            }
+        }
     }
 
     #[inline(always)]
@@ -232,12 +254,12 @@ impl<'a, W: Width> RayQuery<'a, W> {
         match self.candidates {
             Candidates::Only(VisibleBodies { planes, .. }) => {
                 for &index in planes {
-                    visitor.leaf(index..index + 1, self.lanes);
+                    visitor.body(self, index, self.lanes);
                 }
             }
             Candidates::All => {
-                if !self.geometry.planes().is_empty() {
-                    visitor.leaf(self.geometry.planes(), self.lanes);
+                for index in self.geometry.planes() {
+                    visitor.body(self, index, self.lanes);
                 }
             }
         }
@@ -267,7 +289,7 @@ impl<'a, W: Width> RayQuery<'a, W> {
             }
             let lanes = lanes & sphere.is_met(self.origin, self.direction, visitor.t_max());
             if lanes.any() {
-                visitor.leaf(index..index + 1, lanes);
+                visitor.body(self, index, lanes);
             }
         }
     }
@@ -287,7 +309,7 @@ impl<'a, W: Width> RayQuery<'a, W> {
         for sight in sights {
             let lanes = self.lanes & sight.is_met(self.direction, visitor.t_max());
             if lanes.any() {
-                visitor.leaf(sight.body..sight.body + 1, lanes);
+                visitor.body(self, sight.body, lanes);
             }
         }
     }
@@ -316,7 +338,7 @@ impl<'a, W: Width> RayQuery<'a, W> {
                 some &= some - 1;
                 if let Some(body) = bodies.get(at) {
                     let index = index(body, start + at);
-                    visitor.leaf(index..index + 1, self.w.mask(lanes[at]));
+                    visitor.body(self, index, self.w.mask(lanes[at]));
                 }
             }
         }
@@ -326,36 +348,32 @@ impl<'a, W: Width> RayQuery<'a, W> {
     pub(crate) fn all_hits(&self, stack: &mut TraversalStack, mut found: impl FnMut(HitRecord)) {
         let mut test = |index: u32| {
             let mut best = ClosestHits::new(self.w, self.geometry, self.origin_error_bound());
-            self.test(index, self.geometry.body(index), self.lanes, &mut best);
+            best.body(self, index, self.lanes);
             found_in(&best.first(self.w, self.geometry, self.lanes)).into_iter().for_each(&mut found);
         };
-        self.visit(stack, &mut AllHitsVisitor(self.w, &mut test));
-        self.geometry.planes().for_each(&mut test);
+        self.each_body(stack, &mut test);
+    }
+
+    /// Shows `test` every body that some of the rays may meet, in no particular order.
+    pub(crate) fn each_body(&self, stack: &mut TraversalStack, test: &mut impl FnMut(u32)) {
+        let mut visitor = EachBody { t_max: self.w.real(f32::INFINITY), test };
+        self.visit(stack, &mut visitor);
+        self.visit_planes(&mut visitor);
     }
 
     /// Which rays come near a body of a leaf before `t_max`, but for those that have just left it: a sphere is a fraction of
     /// a body in memory, and of its test.
     #[inline(always)]
-    pub(crate) fn meets_sphere(&self, index: u32, t_max: W::R) -> W::M {
+    fn meets_sphere(&self, index: u32, t_max: W::R) -> W::M {
         self.geometry.sphere(index).is_met(self.origin, self.direction, t_max) & !self.leaves(index)
     }
 
     /// Where rays meet a body first, if they may at all.
     #[inline(always)]
-    fn intersect_body(&self, index: u32, body: &RenderBody, lanes: W::M) -> Option<BodyIntersection<W>> {
+    pub(crate) fn intersect_body(&self, index: u32, lanes: W::M) -> Option<BodyIntersection<W>> {
+        let body = self.geometry.body(index);
         let RayBodyLanes { lanes, inside } = self.relation(index, body, lanes);
         if lanes.any() { self.intersection((index, body), lanes, inside) } else { None }
-    }
-
-    #[inline(always)]
-    fn test(&self, index: u32, body: &RenderBody, lanes: W::M, best: &mut ClosestHits<W>) {
-        let Some(meeting) = self.intersect_body(index, body, lanes) else { return };
-        if meeting.entering.any() {
-            best.enter(self.w, index, &meeting);
-        }
-        if meeting.leaving.any() {
-            best.leave(self.w, index, &meeting);
-        }
     }
 
     /// Where rays meet a body first, if any do.
@@ -449,13 +467,13 @@ fn start_within<W: Width>(
     )
 }
 
-/// Shows a visitor those bodies of leaves of whose spheres rays come near.
-struct SphereCull<'f, 'a, W: Width, V> {
+/// The leaves that a packet meets.
+struct PacketLeaves<'f, 'a, W: Width, V> {
     query: &'f RayQuery<'a, W>,
     visitor: &'f mut V,
 }
 
-impl<W: Width, V: BodyVisitor<W>> BodyVisitor<W> for SphereCull<'_, '_, W, V> {
+impl<W: Width, V: BodyVisitor<W>> LeafVisitor<W> for PacketLeaves<'_, '_, W, V> {
     const NEAREST_FIRST: bool = V::NEAREST_FIRST;
 
     #[inline(always)]
@@ -465,46 +483,25 @@ impl<W: Width, V: BodyVisitor<W>> BodyVisitor<W> for SphereCull<'_, '_, W, V> {
 
     #[inline(always)]
     fn leaf(&mut self, bodies: Range<u32>, lanes: W::M) {
-        for index in bodies {
-            let lanes = lanes & self.query.meets_sphere(index, self.t_max());
-            if lanes.any() {
-                self.visitor.leaf(index..index + 1, lanes);
-            }
-        }
+        self.query.visit_leaf(bodies, lanes, self.visitor);
     }
 }
 
-/// Looks for the nearest bodies.
-struct ClosestHitVisitor<'f, 'a, W: Width>(&'f RayQuery<'a, W>, &'f mut ClosestHits<W>);
-
-impl<W: Width> BodyVisitor<W> for ClosestHitVisitor<'_, '_, W> {
-    const NEAREST_FIRST: bool = true;
-
-    #[inline(always)]
-    fn t_max(&self) -> W::R {
-        self.1.t_max
-    }
-
-    #[inline(always)]
-    fn leaf(&mut self, bodies: Range<u32>, lanes: W::M) {
-        for index in bodies {
-            self.0.test(index, self.0.geometry.body(index), lanes, self.1);
-        }
-    }
+/// Every body that rays may meet, wherever.
+struct EachBody<'f, W: Width, F> {
+    t_max: W::R,
+    test: &'f mut F,
 }
 
-/// Looks for all bodies.
-pub(crate) struct AllHitsVisitor<'f, W, F>(pub(crate) W, pub(crate) &'f mut F);
-
-impl<W: Width, F: FnMut(u32)> BodyVisitor<W> for AllHitsVisitor<'_, W, F> {
+impl<W: Width, F: FnMut(u32)> BodyVisitor<W> for EachBody<'_, W, F> {
     const NEAREST_FIRST: bool = false;
 
     fn t_max(&self) -> W::R {
-        self.0.real(f32::INFINITY)
+        self.t_max
     }
 
-    fn leaf(&mut self, bodies: Range<u32>, _lanes: W::M) {
-        bodies.for_each(&mut *self.1);
+    fn body(&mut self, _query: &RayQuery<'_, W>, index: u32, _lanes: W::M) {
+        (self.test)(index);
     }
 }
 

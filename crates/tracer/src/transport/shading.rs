@@ -8,7 +8,7 @@ use crate::geometry::bvh::packet::TraversalStack;
 use crate::geometry::membership::BodyMembership;
 use crate::geometry::query::candidates::Candidates;
 use crate::geometry::query::{PacketHits, RayQuery};
-use crate::geometry::ray::{NO_BODY, RayPacket};
+use crate::geometry::ray::RayPacket;
 use crate::simd::vector::Vector;
 use crate::simd::{Float as _, Float32 as _, MOST_LANES, Mask as _, Width, Word as _};
 use crate::transport::camera::{CameraRays, RenderCamera};
@@ -16,7 +16,7 @@ use crate::transport::counts::RayCounts;
 use crate::transport::interaction::SurfaceInteraction;
 use crate::transport::light::RenderLight;
 use crate::transport::media::absorption::MediumIntervals;
-use crate::transport::media::transmittance::{ShadowScratch, Transmittance};
+use crate::transport::media::transmittance::Transmittance;
 use crate::transport::media::{AIR, MediumStacks};
 use crate::transport::path::{PathObserver, PathState};
 use crate::transport::sampler::{SampleDimension, Sampler};
@@ -33,8 +33,6 @@ pub(crate) struct ShadingContext<'a> {
     /// Working memory of searches.
     pub(crate) stack: TraversalStack,
     pub(crate) intervals: MediumIntervals,
-    /// The body that hid each light last.
-    pub(crate) last_occluders: Vec<u32>,
     pub(crate) candidates: TileCandidates<'a>,
     pub(crate) media: MediumStacks,
     pub(crate) membership: BodyMembership,
@@ -53,7 +51,6 @@ impl<'a> ShadingContext<'a> {
             camera,
             stack: TraversalStack::default(),
             intervals: MediumIntervals::default(),
-            last_occluders: vec![NO_BODY; scene.lights.len()],
             candidates: TileCandidates::new(scene, camera),
             media: MediumStacks::default(),
             membership: BodyMembership::default(),
@@ -229,7 +226,7 @@ impl<'a> ShadingContext<'a> {
             let along = self.candidates.to_light(index);
             if streams.is_none() && !is_unshadowed {
                 if !along.is_empty() {
-                    let memory = (&mut self.stack, &mut self.intervals, &mut self.last_occluders[index]);
+                    let memory = (&mut self.stack, &mut self.intervals);
                     let around = (membership, (&self.media, &paths.media));
                     through = transmittance(w, self.scene, (&rays, lit), around, (along, &distance), memory);
                 }
@@ -350,13 +347,12 @@ fn transmittance<W: Width>(
     (rays, lanes): (&RayPacket<W>, W::M),
     (membership, (table, media)): (&BodyMembership, (&MediumStacks, &W::W)),
     (along, distance): (Candidates<'_>, &W::R),
-    (stack, intervals, occluder): (&mut TraversalStack, &mut MediumIntervals, &mut u32),
+    memory: (&mut TraversalStack, &mut MediumIntervals),
 ) -> Transmittance<W> {
     w.run(
         #[inline(always)]
         move || {
             let query = RayQuery::new(w, &scene.geometry, rays, lanes, membership, along);
-            let memory = ShadowScratch { stack, intervals, occluder };
             query.transmittance(scene, *distance, (table, *media), memory)
         },
     )

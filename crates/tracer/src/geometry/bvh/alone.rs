@@ -1,23 +1,8 @@
 //! One ray through the hierarchy, against eight boxes at once.
 
-use std::ops::Range;
-
-use crate::geometry::bvh::{Bvh, BvhNode};
+use crate::geometry::bvh::{Bvh, BvhNode, LeafVisitor};
+use crate::simd::scalar::ScalarWidth;
 use crate::simd::{Float8 as _, Width};
-
-/// What is done with the leaves that a ray meets.
-pub(crate) trait SingleRayVisitor {
-    /// Whether the nearer leaves are better shown first.
-    const NEAREST_FIRST: bool;
-
-    /// The parameter beyond which nothing is wanted any more.
-    fn t_max(&self) -> f32;
-    /// Asks for bodies that will probably be met soon.
-    #[inline(always)]
-    fn fetch(&self, _bodies: Range<u32>) {}
-    /// Meets the bodies of a leaf.
-    fn leaf(&mut self, bodies: Range<u32>);
-}
 
 /// A part of the hierarchy that a ray is still to visit.
 #[derive(Clone, Copy, Debug, Default)]
@@ -41,7 +26,7 @@ struct SingleRayAxis<W: Width> {
 impl Bvh {
     /// Shows `visitor` the leaves below a node that a ray meets, mostly the nearer ones first.
     #[inline(always)]
-    pub(crate) fn traverse_alone<W: Width, V: SingleRayVisitor>(
+    pub(crate) fn traverse_alone<W: Width, V: LeafVisitor<ScalarWidth>>(
         &self,
         w: W,
         ray: &SingleRay<W>,
@@ -73,7 +58,7 @@ impl Bvh {
                     index = first;
                     break;
                 }
-                visitor.leaf(first..first + count);
+                visitor.leaf(first..first + count, true);
                 t_max = visitor.t_max();
             }
         }

@@ -7,21 +7,11 @@
 
 use std::ops::Range;
 
-use crate::geometry::bvh::alone::{BoxOrder, SingleRay, SingleRayStackEntry, SingleRayVisitor};
-use crate::geometry::bvh::{Bvh, BvhNode, WIDEN};
+use crate::geometry::bvh::alone::{BoxOrder, SingleRay, SingleRayStackEntry};
+use crate::geometry::bvh::{Bvh, BvhNode, LeafVisitor, WIDEN};
+use crate::simd::scalar::ScalarWidth;
 use crate::simd::vector::Vector;
 use crate::simd::{Float as _, Float8 as _, Float32 as _, MOST_LANES, Mask as _, Width};
-
-/// What is done with the leaves.
-pub(crate) trait BodyVisitor<W: Width> {
-    /// Whether the nearer leaves are better shown first.
-    const NEAREST_FIRST: bool;
-
-    /// The parameters beyond which nothing is wanted any more.
-    fn t_max(&self) -> W::R;
-    /// Meets the bodies of a leaf, whose box these lanes meet.
-    fn leaf(&mut self, bodies: Range<u32>, lanes: W::M);
-}
 
 /// Parts of the hierarchy still to be visited: working memory.
 #[derive(Clone, Debug, Default)]
@@ -122,7 +112,7 @@ impl Bvh {
 
     /// Shows `visitor` the bodies of the leaves whose boxes some of the rays meet, mostly the nearer ones first.
     #[inline(always)]
-    pub(crate) fn traverse_packet<W: Width, V: BodyVisitor<W>>(
+    pub(crate) fn traverse_packet<W: Width, V: LeafVisitor<W>>(
         &self,
         w: W,
         boxes: &PacketBoxTest<W>,
@@ -186,7 +176,7 @@ struct PacketLane<'v, W, V> {
     visitor: &'v mut V,
 }
 
-impl<W: Width, V: BodyVisitor<W>> SingleRayVisitor for PacketLane<'_, W, V> {
+impl<W: Width, V: LeafVisitor<W>> LeafVisitor<ScalarWidth> for PacketLane<'_, W, V> {
     const NEAREST_FIRST: bool = V::NEAREST_FIRST;
 
     #[inline(always)]
@@ -197,7 +187,7 @@ impl<W: Width, V: BodyVisitor<W>> SingleRayVisitor for PacketLane<'_, W, V> {
     }
 
     #[inline(always)]
-    fn leaf(&mut self, bodies: Range<u32>) {
+    fn leaf(&mut self, bodies: Range<u32>, _is_met: bool) {
         self.visitor.leaf(bodies, self.w.mask(1 << self.lane));
     }
 }

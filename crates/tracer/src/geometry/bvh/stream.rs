@@ -15,10 +15,11 @@ use std::ops::Range;
 use bytemuck::Zeroable;
 
 use crate::geometry::bounds::Bounds;
-use crate::geometry::bvh::alone::{BoxOrder, SingleRay, SingleRayStackEntry, SingleRayVisitor};
+use crate::geometry::bvh::alone::{BoxOrder, SingleRay, SingleRayStackEntry};
 use crate::geometry::bvh::packet::inverse_of;
-use crate::geometry::bvh::{Bvh, BvhNode, WIDEN};
+use crate::geometry::bvh::{Bvh, BvhNode, LeafVisitor, WIDEN};
 use crate::geometry::ray::RayPacket;
+use crate::simd::scalar::ScalarWidth;
 use crate::simd::vector::Vector;
 use crate::simd::{Float as _, Float8 as _, Float32 as _, MOST_LANES, Mask as _, Width, Word as _};
 
@@ -39,8 +40,8 @@ pub(crate) struct StreamRayRows {
     direction: StreamRow<[f32; 4]>,
 }
 
-/// What is done with the leaves.
-pub(crate) trait StreamVisitor {
+/// What is done with the leaves that the rays of a stream meet.
+pub(crate) trait StreamLeafVisitor {
     /// Whether leaves are shown from the rays' starts on: the nearest body ends the search. Else from their ends: rays to a
     /// light come together there, and one body hides it from many.
     const NEAREST_FIRST: bool;
@@ -261,7 +262,7 @@ impl Bvh {
     /// Shows `visitor` the bodies of the leaves whose boxes its first `count` rays meet; those of different octants one after
     /// the other if they are to be taken apart.
     #[inline(always)]
-    pub(crate) fn traverse_stream<W: Width, V: StreamVisitor>(
+    pub(crate) fn traverse_stream<W: Width, V: StreamLeafVisitor>(
         &self,
         w: W,
         pending: &mut StreamTraversalStack,
@@ -280,7 +281,7 @@ impl Bvh {
 
     /// Shows `visitor` the leaves that a list of rays meets, perhaps all of one octant.
     #[inline(always)]
-    fn traverse_list<W: Width, V: StreamVisitor>(
+    fn traverse_list<W: Width, V: StreamLeafVisitor>(
         &self,
         w: W,
         pending: &mut StreamTraversalStack,
@@ -393,7 +394,7 @@ struct StreamLane<'v, V> {
     visitor: &'v mut V,
 }
 
-impl<V: StreamVisitor> SingleRayVisitor for StreamLane<'_, V> {
+impl<V: StreamLeafVisitor> LeafVisitor<ScalarWidth> for StreamLane<'_, V> {
     const NEAREST_FIRST: bool = V::NEAREST_FIRST;
 
     #[inline(always)]
@@ -407,7 +408,7 @@ impl<V: StreamVisitor> SingleRayVisitor for StreamLane<'_, V> {
     }
 
     #[inline(always)]
-    fn leaf(&mut self, bodies: Range<u32>) {
+    fn leaf(&mut self, bodies: Range<u32>, _is_met: bool) {
         self.visitor.leaf(bodies, &self.ray, 1);
     }
 }

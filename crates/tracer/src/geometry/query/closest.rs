@@ -1,7 +1,7 @@
 //! The nearest hits so far.
 
 use crate::geometry::Geometry;
-use crate::geometry::query::{BodyIntersection, PacketHits};
+use crate::geometry::query::{BodyIntersection, BodyVisitor, PacketHits, RayQuery};
 use crate::geometry::ray::POINT_ROUNDING;
 use crate::simd::{Float as _, Float32, MOST_LANES, Mask as _, Width, Word as _};
 
@@ -33,13 +33,13 @@ pub(crate) struct ClosestHits<W: Width> {
 
 /// How far apart hits that coincide may lie at the start of rays, [`GRAZING`] and the slacks of two bodies included.
 #[inline(always)]
-pub(crate) fn margin<R: Float32>(geometry: &Geometry, origin_error_bound: R) -> R {
+fn margin<R: Float32>(geometry: &Geometry, origin_error_bound: R) -> R {
     (origin_error_bound + 2.0 * geometry.largest_error_bound) * GRAZING
 }
 
 /// Up to where hits may coincide with one at `t`; `margin` is how far apart they may lie at the start of the rays.
 #[inline(always)]
-pub(crate) fn t_max_for<R: Float32>(t: R, margin: R) -> R {
+fn t_max_for<R: Float32>(t: R, margin: R) -> R {
     t.times_plus(t.like(1.0 + GRAZING * POINT_ROUNDING), margin)
 }
 
@@ -51,22 +51,6 @@ impl<W: Width> ClosestHits<W> {
         let margin = margin(geometry, origin_error_bound);
         let t_max = w.real(f32::MAX);
         Self { leaving: nearest, entering: nearest, t_max, origin_error_bound, margin }
-    }
-
-    /// Takes note of hits that lead into a body.
-    #[inline(always)]
-    pub(crate) fn enter(&mut self, w: W, index: u32, meeting: &BodyIntersection<W>) {
-        let met = (meeting.enter, meeting.enter_face);
-        self.entering.offer(w, index, met, meeting.entering);
-        self.t_max = self.t_max.min(t_max_for(self.entering.t, self.margin));
-    }
-
-    /// Takes note of hits that lead out of a body.
-    #[inline(always)]
-    pub(crate) fn leave(&mut self, w: W, index: u32, meeting: &BodyIntersection<W>) {
-        let met = (meeting.exit, meeting.exit_face);
-        self.leaving.offer(w, index, met, meeting.leaving);
-        self.t_max = self.t_max.min(t_max_for(self.leaving.t, self.margin));
     }
 
     /// How far apart by rounding two hits at about `t` can lie that should coincide, of bodies whose larger slack is
@@ -106,6 +90,29 @@ impl<W: Width> ClosestHits<W> {
             hits.body = W::W::select(hits.leaving, self.leaving.body, body);
         }
         hits
+    }
+}
+
+impl<W: Width> BodyVisitor<W> for ClosestHits<W> {
+    const NEAREST_FIRST: bool = true;
+
+    #[inline(always)]
+    fn t_max(&self) -> W::R {
+        self.t_max
+    }
+
+    #[inline(always)]
+    fn body(&mut self, query: &RayQuery<'_, W>, index: u32, lanes: W::M) {
+        let Some(meeting) = query.intersect_body(index, lanes) else { return };
+        let BodyIntersection { entering, enter, enter_face, leaving, exit, exit_face } = meeting;
+        if entering.any() {
+            self.entering.offer(query.w, index, (enter, enter_face), entering);
+            self.t_max = self.t_max.min(t_max_for(self.entering.t, self.margin));
+        }
+        if leaving.any() {
+            self.leaving.offer(query.w, index, (exit, exit_face), leaving);
+            self.t_max = self.t_max.min(t_max_for(self.leaving.t, self.margin));
+        }
     }
 }
 

@@ -1,13 +1,11 @@
 //! Surfaces that coincide: of bodies that are entered, or left, at the same place the first in the scene counts.
 
-use std::ops::Range;
-
 use crate::geometry::Geometry;
-use crate::geometry::bvh::packet::{BodyVisitor, TraversalStack};
+use crate::geometry::bvh::packet::TraversalStack;
 use crate::geometry::membership::BodyMembership;
 use crate::geometry::query::candidates::Candidates;
 use crate::geometry::query::closest::{ClosestHits, GRAZING};
-use crate::geometry::query::{ClosestHitVisitor, PacketHits, RayQuery};
+use crate::geometry::query::{BodyVisitor, PacketHits, RayQuery};
 use crate::geometry::ray::{POINT_ROUNDING, RayPacket, error_bound_at};
 use crate::simd::scalar::ScalarWidth;
 use crate::simd::vector::Vector;
@@ -81,8 +79,8 @@ impl RayQuery<'_, ScalarWidth> {
     /// The first hit of the ray, of bodies that are entered where it is, or left, the first in the scene.
     fn first_resolved(&self, stack: &mut TraversalStack) -> PacketHits<ScalarWidth> {
         let mut best = ClosestHits::new(ScalarWidth, self.geometry, self.origin_error_bound());
-        self.visit(stack, &mut ClosestHitVisitor(self, &mut best));
-        self.visit_planes(&mut ClosestHitVisitor(self, &mut best));
+        self.visit(stack, &mut best);
+        self.visit_planes(&mut best);
         for (nearest, leaving) in [(&mut best.entering, false), (&mut best.leaving, true)] {
             if nearest.t < f32::INFINITY {
                 let first = SurfaceCrossing { t: nearest.t, face: nearest.face, body: nearest.body };
@@ -103,10 +101,10 @@ impl RayQuery<'_, ScalarWidth> {
         let slack_there = error_bound_at(self.origin) + nearest.t * POINT_ROUNDING;
         let error_bound = |body: u32| self.geometry.body(body).error_bound;
         let t_max = nearest.t + GRAZING * (slack_there + self.geometry.largest_error_bound);
-        let mut crossings = Vec::new();
-        let mut visitor = CrossingVisitor { query: self, leaving, t_max, crossings: &mut crossings };
+        let mut visitor = CrossingVisitor { leaving, t_max, crossings: Vec::new() };
         self.visit(stack, &mut visitor);
         self.visit_planes(&mut visitor);
+        let crossings = visitor.crossings;
         // Of equal ones the first in the scene, so that the order of visits does not matter.
         let order = |one: &SurfaceCrossing, other: &SurfaceCrossing| {
             one.t.total_cmp(&other.t).then_with(|| self.geometry.scene_order(one.body, other.body))
@@ -132,32 +130,28 @@ impl RayQuery<'_, ScalarWidth> {
 }
 
 /// Writes down where a ray enters bodies, or leaves them.
-struct CrossingVisitor<'f, 'a> {
-    query: &'f RayQuery<'a, ScalarWidth>,
+struct CrossingVisitor {
     leaving: bool,
     t_max: f32,
-    crossings: &'f mut Vec<SurfaceCrossing>,
+    crossings: Vec<SurfaceCrossing>,
 }
 
-impl BodyVisitor<ScalarWidth> for CrossingVisitor<'_, '_> {
+impl BodyVisitor<ScalarWidth> for CrossingVisitor {
     const NEAREST_FIRST: bool = false;
 
     fn t_max(&self) -> f32 {
         self.t_max
     }
 
-    fn leaf(&mut self, bodies: Range<u32>, lanes: bool) {
-        for index in bodies {
-            let body = self.query.geometry.body(index);
-            let Some(meeting) = self.query.intersect_body(index, body, lanes) else { continue };
-            let (is_met, t, face) = if self.leaving {
-                (meeting.leaving, meeting.exit, meeting.exit_face)
-            } else {
-                (meeting.entering, meeting.enter, meeting.enter_face)
-            };
-            if is_met && t <= self.t_max {
-                self.crossings.push(SurfaceCrossing { t, face, body: index });
-            }
+    fn body(&mut self, query: &RayQuery<'_, ScalarWidth>, index: u32, is_near: bool) {
+        let Some(meeting) = query.intersect_body(index, is_near) else { return };
+        let (is_met, t, face) = if self.leaving {
+            (meeting.leaving, meeting.exit, meeting.exit_face)
+        } else {
+            (meeting.entering, meeting.enter, meeting.enter_face)
+        };
+        if is_met && t <= self.t_max {
+            self.crossings.push(SurfaceCrossing { t, face, body: index });
         }
     }
 }

@@ -4,14 +4,16 @@ use std::ops::Range;
 
 use bytemuck::Zeroable;
 
-use crate::geometry::bvh::stream::{STREAM, StreamRayRows, StreamRow, StreamTraversalStack, StreamVisitor};
+use crate::geometry::bvh::stream::{
+    STREAM, StreamLeafVisitor, StreamRayRows, StreamRow, StreamTraversalStack,
+};
 use crate::geometry::membership::{BodyMembership, MembershipSource};
 use crate::geometry::query::candidates::Candidates;
-use crate::geometry::query::closest::{ClosestHit, ClosestHits, margin, t_max_for};
+use crate::geometry::query::closest::{ClosestHit, ClosestHits};
 use crate::geometry::query::{PacketHits, RayQuery};
 use crate::geometry::ray::RayPacket;
 use crate::geometry::{Accelerator, Geometry};
-use crate::simd::{Float as _, Float32 as _, MOST_LANES, Mask as _, Width};
+use crate::simd::{Float as _, Float32 as _, MOST_LANES, Mask as _, Width, Word as _};
 
 /// Rays that are searched for together, and what they met.
 #[derive(Debug, Zeroable)]
@@ -82,27 +84,18 @@ impl RayStream {
         memberships: &impl MembershipSource,
         memory: &mut StreamScratch,
     ) {
-        let Accelerator::Many(bvh) = &geometry.hierarchy else { return };
-        let StreamScratch { stack, inside } = memory;
         let count = self.count;
-        let mut visitor = StreamClosestHitVisitor { w, geometry, memberships, inside, stream: self };
-        w.run(
-            #[inline(always)]
-            || bvh.traverse_stream(w, stack, count, geometry.parts_streams(), &mut visitor),
-        );
+        search_stream(w, geometry, memberships, memory, count, self);
     }
 
     /// What the rays from number `at` on, which are in `query`, met, planes included.
     #[inline(always)]
     pub(crate) fn hits<W: Width>(&self, w: W, at: usize, query: &RayQuery<'_, W>) -> PacketHits<W> {
         let (_, t_max) = self.rays.load(w, at);
-        let (leaving, entering) = (self.leaving.load(w, at), self.entering.load(w, at));
-        let origin_error_bound = query.origin_error_bound();
-        let margin = margin(query.geometry, origin_error_bound);
-        let mut best = ClosestHits { leaving, entering, t_max, origin_error_bound, margin };
-        for index in query.geometry.planes() {
-            query.test(index, query.geometry.body(index), query.lanes, &mut best);
-        }
+        let mut best = ClosestHits::new(w, query.geometry, query.origin_error_bound());
+        (best.leaving, best.entering) = (self.leaving.load(w, at), self.entering.load(w, at));
+        best.t_max = t_max;
+        query.visit_planes(&mut best);
         let hits = best.first(w, query.geometry, query.lanes);
         hits.resolved(w, query.geometry, &query.rays(), query.membership)
     }
@@ -119,21 +112,50 @@ pub(crate) fn each_lane(lanes: u32, rays: &[u32], mut take: impl FnMut(usize, u3
     }
 }
 
-/// Looks for the nearest bodies.
-struct StreamClosestHitVisitor<'s, W, M> {
+/// What is searched for along the rays of a stream.
+pub(crate) trait StreamSearch<W: Width> {
+    /// Whether the search goes from the rays' starts on, see [`StreamLeafVisitor::NEAREST_FIRST`].
+    const NEAREST_FIRST: bool;
+
+    fn rays(&self) -> &StreamRayRows;
+    /// Shows a visitor the bodies of a leaf that the rays of `query` may meet before `t_max`, and keeps what it found for
+    /// the rays of these numbers.
+    fn leaf(&mut self, query: &RayQuery<'_, W>, t_max: W::R, bodies: Range<u32>, numbers: &[u32]);
+}
+
+/// Shows `search` the bounded bodies that its first `count` rays may meet.
+pub(crate) fn search_stream<W: Width>(
+    w: W,
+    geometry: &Geometry,
+    memberships: &impl MembershipSource,
+    scratch: &mut StreamScratch,
+    count: usize,
+    search: &mut impl StreamSearch<W>,
+) {
+    let Accelerator::Many(bvh) = &geometry.hierarchy else { return };
+    let StreamScratch { stack, inside } = scratch;
+    let mut leaves = StreamLeaves { w, geometry, memberships, inside, search };
+    w.run(
+        #[inline(always)]
+        || bvh.traverse_stream(w, stack, count, geometry.parts_streams(), &mut leaves),
+    );
+}
+
+/// The leaves that a stream meets.
+struct StreamLeaves<'s, W, M, S> {
     w: W,
     geometry: &'s Geometry,
     memberships: &'s M,
     inside: &'s mut BodyMembership,
-    stream: &'s mut RayStream,
+    search: &'s mut S,
 }
 
-impl<W: Width, M: MembershipSource> StreamVisitor for StreamClosestHitVisitor<'_, W, M> {
-    const NEAREST_FIRST: bool = true;
+impl<W: Width, M: MembershipSource, S: StreamSearch<W>> StreamLeafVisitor for StreamLeaves<'_, W, M, S> {
+    const NEAREST_FIRST: bool = S::NEAREST_FIRST;
 
     #[inline(always)]
     fn rays(&self) -> &StreamRayRows {
-        &self.stream.rays
+        self.search.rays()
     }
 
     #[inline(always)]
@@ -146,66 +168,73 @@ impl<W: Width, M: MembershipSource> StreamVisitor for StreamClosestHitVisitor<'_
         let Self { w, geometry, .. } = *self;
         for at in (0..count).step_by(W::LANES) {
             let numbers = &rays[at..];
-            let lanes = w.first(count - at);
-            let (rays, media, t_max) = self.stream.rays.gather(w, numbers);
+            let (rays, media, t_max) = self.search.rays().gather(w, numbers);
+            let lanes = w.first(count - at) & t_max.gt(w.real(f32::NEG_INFINITY));
+            if !lanes.any() {
+                continue;
+            }
             if geometry.has_transparency {
                 self.memberships.fill::<W>(self.inside, media, lanes);
             }
             let query = RayQuery::new(w, geometry, &rays, lanes, self.inside, Candidates::All);
-            for index in bodies.clone() {
-                let lanes = lanes & query.meets_sphere(index, t_max);
-                if !lanes.any() {
-                    continue;
-                }
-                let body = geometry.body(index);
-                let Some(meeting) = query.intersect_body(index, body, lanes) else { continue };
-                let entering = meeting.entering & meeting.enter.le(t_max);
-                let leaving = meeting.leaving & meeting.exit.le(t_max);
-                let margin = margin(geometry, query.origin_error_bound());
-                if entering.any() {
-                    let met = (meeting.enter, meeting.enter_face, margin);
-                    self.stream.offer::<W>(index, true, met, entering, numbers);
-                }
-                if leaving.any() {
-                    let met = (meeting.exit, meeting.exit_face, margin);
-                    self.stream.offer::<W>(index, false, met, leaving, numbers);
-                }
+            self.search.leaf(&query, t_max, bodies.clone(), numbers);
+        }
+    }
+}
+
+impl<W: Width> StreamSearch<W> for RayStream {
+    const NEAREST_FIRST: bool = true;
+
+    #[inline(always)]
+    fn rays(&self) -> &StreamRayRows {
+        &self.rays
+    }
+
+    #[inline(always)]
+    fn leaf(&mut self, query: &RayQuery<'_, W>, t_max: W::R, bodies: Range<u32>, numbers: &[u32]) {
+        let mut best = ClosestHits::new(query.w, query.geometry, query.origin_error_bound());
+        best.t_max = t_max;
+        query.visit_leaf(bodies, query.lanes, &mut best);
+        let mut reaches = [0.0; MOST_LANES];
+        best.t_max.store(&mut reaches);
+        for (found, nearest) in [(best.entering, &mut self.entering), (best.leaving, &mut self.leaving)] {
+            let lanes = found.t.le(t_max) & found.t.lt(query.w.real(f32::INFINITY));
+            if lanes.any() {
+                nearest.merge(&found, lanes, numbers);
+                each_lane(
+                    lanes.bits(),
+                    numbers,
+                    #[inline(always)]
+                    |lane, ray| self.rays.shorten(ray, reaches[lane]),
+                );
             }
         }
     }
 }
 
-impl RayStream {
-    /// Takes note of hits with a body; see [`ClosestHits`].
+impl ClosestHitRows {
+    /// Takes up the nearest hits with other bodies.
     #[inline(always)]
-    fn offer<W: Width>(
-        &mut self,
-        index: u32,
-        is_entering: bool,
-        (t, face, margin): (W::R, W::R, W::R),
-        lanes: W::M,
-        numbers: &[u32],
-    ) {
-        let Self { rays, entering, leaving, .. } = self;
-        let nearest = if is_entering { entering } else { leaving };
-        let [mut ts, mut faces, mut reaches] = [[0.0; MOST_LANES]; 3];
-        t.store(&mut ts);
-        face.store(&mut faces);
-        t_max_for(t, margin).store(&mut reaches);
+    fn merge<W: Width>(&mut self, found: &ClosestHit<W>, lanes: W::M, numbers: &[u32]) {
+        let [mut ts, mut faces, mut seconds] = [[0.0; MOST_LANES]; 3];
+        let mut bodies = [0; MOST_LANES];
+        found.t.store(&mut ts);
+        found.face.store(&mut faces);
+        found.second.store(&mut seconds);
+        found.body.store(&mut bodies);
         each_lane(
             lanes.bits(),
             numbers,
             #[inline(always)]
             |lane, ray| {
                 let place = ray as usize % STREAM;
-                let (t, old) = (ts[lane], nearest.t[place]);
+                let (t, old) = (ts[lane], self.t[place]);
                 if t < old {
-                    (nearest.t[place], nearest.body[place]) = (t, index);
-                    nearest.face[place] = faces[lane];
-                    nearest.second[place] = old;
-                    rays.shorten(ray, reaches[lane]);
+                    (self.t[place], self.body[place]) = (t, bodies[lane]);
+                    self.face[place] = faces[lane];
+                    self.second[place] = old.min(seconds[lane]);
                 } else {
-                    nearest.second[place] = nearest.second[place].min(t);
+                    self.second[place] = self.second[place].min(t);
                 }
             },
         );

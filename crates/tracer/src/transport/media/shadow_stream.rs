@@ -4,19 +4,18 @@ use std::ops::Range;
 
 use bytemuck::{Zeroable, zeroed_box};
 
-use crate::geometry::Accelerator;
-use crate::geometry::bvh::stream::{STREAM, StreamRayRows, StreamRow, StreamVisitor, vector_at};
+use crate::geometry::bvh::stream::{STREAM, StreamRayRows, StreamRow, vector_at};
 use crate::geometry::membership::{BodyMembership, MembershipSource as _};
 use crate::geometry::query::RayQuery;
 use crate::geometry::query::candidates::Candidates;
-use crate::geometry::query::stream::{StreamScratch, each_lane};
+use crate::geometry::query::stream::{StreamScratch, StreamSearch, each_lane, search_stream};
 use crate::geometry::ray::{POINT_ROUNDING, RayPacket};
 use crate::simd::scalar::ScalarWidth;
 use crate::simd::vector::Vector;
 use crate::simd::{Float as _, MOST_LANES, Mask as _, Width};
 use crate::transport::media::MediumStacks;
 use crate::transport::media::absorption::MediumIntervals;
-use crate::transport::media::transmittance::{Transmittance, all_of};
+use crate::transport::media::transmittance::{Transmittance, TransmittanceVisitor, all_of};
 use crate::transport::scene::RenderScene;
 
 /// Shadow rays of a stream's hits to one light.
@@ -84,16 +83,12 @@ impl ShadowStream {
         memory: &mut StreamScratch,
         intervals: &mut MediumIntervals,
     ) {
-        let Accelerator::Many(bvh) = &scene.geometry.hierarchy else { return };
-        let Self { rays, share, count, .. } = self;
-        let StreamScratch { stack, inside } = memory;
-        let mut visitor = StreamTransmittanceVisitor { w, scene, table, inside, intervals, rays, share };
-        w.run(
-            #[inline(always)]
-            || bvh.traverse_stream(w, stack, *count, scene.geometry.parts_streams(), &mut visitor),
-        );
+        let count = self.count;
+        let Self { rays, share, .. } = self;
+        let mut search = ShadowStreamSearch { scene, intervals, rays, share };
+        search_stream(w, &scene.geometry, table, memory, count, &mut search);
         if scene.absorbs {
-            self.absorb(w, scene, table, inside, intervals);
+            self.absorb(w, scene, table, &mut memory.inside, intervals);
         }
     }
 
@@ -120,7 +115,7 @@ impl ShadowStream {
                     let first = intervals.len();
                     let query = RayQuery::new(w, &scene.geometry, &rays, lanes, inside, Candidates::All);
                     for index in scene.geometry.planes() {
-                        query.note_medium(index, scene.geometry.body(index), t_max, lanes, intervals);
+                        query.note_medium(index, t_max, lanes, intervals);
                     }
                     let numbers: [u32; MOST_LANES] = std::array::from_fn(|lane| (at + lane) as u32);
                     intervals.name_rays(first, &numbers);
@@ -153,13 +148,12 @@ impl ShadowStream {
         let (_, t_max) = self.rays.load(w, at);
         let lanes = t_max.gt(w.real(f32::NEG_INFINITY)) & query.lanes;
         let share = Some(vector_at(w, &self.share, at));
-        let mut passed: Transmittance<W> = Transmittance { lanes, share, occluder: 0 };
-        for index in query.geometry.planes() {
-            if !passed.lanes.any() {
-                break;
-            }
-            query.filter(scene, index, query.geometry.body(index), t_max, passed.lanes, (&mut passed, None));
+        let passed = Transmittance { lanes, share };
+        let mut visitor = TransmittanceVisitor::resumed(w, scene, t_max, passed, None);
+        if lanes.any() {
+            query.visit_planes(&mut visitor);
         }
+        let passed = visitor.passed;
         let mut share = passed.share.unwrap_or_else(|| all_of(w));
         if scene.absorbs {
             share = share.times(vector_at(w, &self.left, at));
@@ -168,18 +162,15 @@ impl ShadowStream {
     }
 }
 
-/// Looks for what shades.
-struct StreamTransmittanceVisitor<'s, W> {
-    w: W,
+/// The rays of a stream on their way to a light.
+struct ShadowStreamSearch<'s> {
     scene: &'s RenderScene,
-    table: &'s MediumStacks,
-    inside: &'s mut BodyMembership,
     intervals: &'s mut MediumIntervals,
     rays: &'s mut StreamRayRows,
     share: &'s mut StreamRow<[f32; 4]>,
 }
 
-impl<W: Width> StreamVisitor for StreamTransmittanceVisitor<'_, W> {
+impl<W: Width> StreamSearch<W> for ShadowStreamSearch<'_> {
     const NEAREST_FIRST: bool = false;
 
     #[inline(always)]
@@ -188,50 +179,31 @@ impl<W: Width> StreamVisitor for StreamTransmittanceVisitor<'_, W> {
     }
 
     #[inline(always)]
-    fn fetch(&self, bodies: Range<u32>) {
-        self.scene.geometry.fetch(bodies);
-    }
-
-    #[inline(always)]
-    fn leaf(&mut self, bodies: Range<u32>, rays: &[u32], count: usize) {
-        let Self { w, scene, .. } = *self;
-        for at in (0..count).step_by(W::LANES) {
-            let numbers = &rays[at..];
-            let (rays, media, t_max) = self.rays.gather(w, numbers);
-            let lanes = w.first(count - at) & t_max.gt(w.real(f32::NEG_INFINITY));
-            if !lanes.any() {
-                continue;
-            }
-            let mut share = None;
-            if scene.geometry.has_transparency {
-                self.table.fill::<W>(self.inside, media, lanes);
-                let [x, y, z, _] = w.gather(self.share, numbers);
-                share = Some(Vector::new(x, y, z));
-            }
-            let query = RayQuery::new(w, &scene.geometry, &rays, lanes, self.inside, Candidates::All);
-            let mut passed: Transmittance<W> = Transmittance { lanes, share, occluder: 0 };
-            let first = self.intervals.len();
-            for index in bodies.clone() {
-                let lanes = passed.lanes & query.meets_sphere(index, t_max);
-                if lanes.any() {
-                    let noted = (&mut passed, Some(&mut *self.intervals));
-                    query.filter(scene, index, scene.geometry.body(index), t_max, lanes, noted);
-                }
-            }
-            self.intervals.name_rays(first, numbers);
-            each_lane(
-                (lanes & !passed.lanes).bits(),
-                numbers,
-                #[inline(always)]
-                |_, ray| self.rays.shorten(ray, f32::NEG_INFINITY),
-            );
-            if let Some(Vector { x, y, z }) = passed.share {
-                let mut shares = [[0.0; 4]; MOST_LANES];
-                w.store_fours([x, y, z, w.real(0.0)], &mut shares);
-                each_lane(passed.lanes.bits(), numbers, |lane, ray| {
-                    self.share[ray as usize % STREAM] = shares[lane];
-                });
-            }
+    fn leaf(&mut self, query: &RayQuery<'_, W>, t_max: W::R, bodies: Range<u32>, numbers: &[u32]) {
+        let (w, lanes) = (query.w, query.lanes);
+        let mut passed = Transmittance::all(lanes);
+        if query.geometry.has_transparency {
+            let [x, y, z, _] = w.gather(self.share, numbers);
+            passed.share = Some(Vector::new(x, y, z));
+        }
+        let first = self.intervals.len();
+        let noted = Some(&mut *self.intervals);
+        let mut visitor = TransmittanceVisitor::resumed(w, self.scene, t_max, passed, noted);
+        query.visit_leaf(bodies, lanes, &mut visitor);
+        let passed = visitor.passed;
+        self.intervals.name_rays(first, numbers);
+        each_lane(
+            (lanes & !passed.lanes).bits(),
+            numbers,
+            #[inline(always)]
+            |_, ray| self.rays.shorten(ray, f32::NEG_INFINITY),
+        );
+        if let Some(Vector { x, y, z }) = passed.share {
+            let mut shares = [[0.0; 4]; MOST_LANES];
+            w.store_fours([x, y, z, w.real(0.0)], &mut shares);
+            each_lane(passed.lanes.bits(), numbers, |lane, ray| {
+                self.share[ray as usize % STREAM] = shares[lane];
+            });
         }
     }
 }
