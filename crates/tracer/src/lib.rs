@@ -32,4 +32,4 @@ pub use transport::sampling::sample_offset;
 pub use transport::scene::edit::SceneEdit;
 pub use transport::scene::log::SceneChanges;
 pub use transport::scene::{RenderScene, SceneBuildError};
-pub use transport::surface::material::ReflectionModel;
+pub use transport::surface::model::ReflectionModel;

@@ -77,12 +77,12 @@ const PLAIN: &[&str] = &[
 /// Those of scenes with physical materials, or lights that are balls.
 const PHYSICAL: &[&str] = &[
     include_str!("transport/surface/material/physical.wgsl"),
-    include_str!("transport/surface/conductor_table.wgsl"),
+    include_str!("transport/surface/model/conductor.wgsl"),
     include_str!("transport/light/sphere.wgsl"),
     include_str!("transport/surface/microfacet.wgsl"),
     include_str!("transport/sampler.wgsl"),
+    include_str!("transport/surface/bsdf.wgsl"),
     include_str!("transport/interaction.wgsl"),
-    include_str!("transport/shading/rough.wgsl"),
     include_str!("transport/spectrum.wgsl"),
     include_str!("transport/integrator/whitted/scatter.wgsl"),
     include_str!("transport/integrator/whitted/physical.wgsl"),

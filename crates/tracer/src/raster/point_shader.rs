@@ -10,7 +10,7 @@ use crate::geometry::ray::{Ray, RayOrigin};
 use crate::raster::settings::LightModel;
 use crate::simd::scalar::ScalarWidth;
 use crate::simd::vector::Vector;
-use crate::simd::{Float as _, Float32 as _, MOST_LANES, SimdKernel, Width};
+use crate::simd::{Float32 as _, MOST_LANES, SimdKernel, Width};
 use crate::transport::camera::RenderCamera;
 use crate::transport::counts::RayCounts;
 use crate::transport::interaction::SurfaceInteraction;
@@ -20,6 +20,7 @@ use crate::transport::path::{PathObserver, PathState};
 use crate::transport::sampler::Sampler;
 use crate::transport::scene::RenderScene;
 use crate::transport::shading::{PacketSource, ShadingContext};
+use crate::transport::surface::bsdf::BsdfValue;
 
 /// A point of a surface that is to be lit.
 #[derive(Clone, Copy, Debug)]
@@ -181,9 +182,9 @@ impl PointShader<'_> {
         let mut at =
             SurfaceInteraction::at_points(w, self.shading.scene, start, (position, normal), direction, lanes);
         if model == LightModel::Lambert {
-            (at.glossy, at.rough) = (w.mask(0), w.mask(0));
+            (at.bsdf.glossy, at.bsdf.rough) = (w.mask(0), w.mask(0));
         }
-        let mut split = SplitLight::new(at);
+        let mut split = SplitLight::new(w, &at);
         let mut from = if shadows { PacketSource::Anywhere } else { PacketSource::Unshadowed };
         self.shading.direct_light::<W, true>(w, &paths, &mut from, membership, &at, &mut split);
         split
@@ -192,27 +193,20 @@ impl PointShader<'_> {
 
 /// Takes the light of surfaces of color 1 apart: what the color is multiplied with, and what it is not.
 struct SplitLight<W: Width> {
-    at: SurfaceInteraction<W>,
     on_color: Vector<W::R>,
     highlight: Vector<W::R>,
-    /// Of the light that is looked at.
-    cosine: W::R,
-    shine: Option<W::R>,
-    microfacets: Option<Vector<W::R>>,
 }
 
 impl<W: Width> SplitLight<W> {
     #[inline(always)]
-    fn new(at: SurfaceInteraction<W>) -> Self {
-        let zero = at.t.like(0.0);
-        let nothing = Vector::new(zero, zero, zero);
-        Self { at, on_color: at.ambient, highlight: nothing, cosine: zero, shine: None, microfacets: None }
+    fn new(w: W, at: &SurfaceInteraction<W>) -> Self {
+        Self { on_color: at.bsdf.ambient, highlight: Vector::splat(w.real(0.0), [0.0; 3]) }
     }
 
     #[inline(always)]
     fn store(self, light: &mut [DirectLight]) {
         let mut rows = [[0.0; MOST_LANES]; 6];
-        let Self { on_color, highlight, .. } = self;
+        let Self { on_color, highlight } = self;
         let parts = [on_color.x, on_color.y, on_color.z, highlight.x, highlight.y, highlight.z];
         for (row, part) in rows.iter_mut().zip(parts) {
             part.store(row);
@@ -227,39 +221,17 @@ impl<W: Width> SplitLight<W> {
 
 impl<W: Width> PathObserver<W> for SplitLight<W> {
     #[inline(always)]
-    fn on_light(&mut self, _light: usize, _to_light: Vector<W::R>, _distance: W::R, cosine: W::R) {
-        self.cosine = cosine;
-        (self.shine, self.microfacets) = (None, None);
-    }
-
-    #[inline(always)]
-    fn on_highlight(&mut self, _to_viewer: Vector<W::R>, highlight: W::R) {
-        self.shine = Some(highlight);
-    }
-
-    #[inline(always)]
-    fn on_microfacets(&mut self, microfacets: Vector<W::R>) {
-        self.microfacets = Some(microfacets);
-    }
-
-    #[inline(always)]
     fn on_light_answer(
         &mut self,
         lit: W::M,
         power: Vector<W::R>,
         through: &Transmittance<W>,
-        _light: Vector<W::R>,
+        (value, _): (&BsdfValue<W>, Vector<W::R>),
     ) {
         let power = through.share.map_or(power, |share| power.times(share)).bounded();
-        let color = self.on_color + power.times(self.at.eval_diffuse(self.cosine));
+        let color = self.on_color + power.times(value.diffuse);
         self.on_color = Vector::select(lit, color, self.on_color);
-        let mut highlight = self.highlight;
-        if let Some(shine) = self.shine {
-            highlight = highlight + power * shine;
-        }
-        if let Some(microfacets) = self.microfacets {
-            highlight = highlight + power.times(microfacets);
-        }
+        let highlight = self.highlight + power * value.highlight + power.times(value.microfacets);
         self.highlight = Vector::select(lit, highlight, self.highlight);
     }
 }

@@ -3,7 +3,8 @@
 use std::ops::BitOr;
 
 use crate::transport::scene::RenderScene;
-use crate::transport::surface::material::{MaterialModel, RenderMaterial};
+use crate::transport::surface::material::RenderMaterial;
+use crate::transport::surface::model::MaterialModel;
 
 /// What a scene has of physical materials and lights, a bit for each.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -13,8 +13,9 @@ use crate::shaders::specialize::ShaderSpecialization;
 use crate::transport::media::WAVES;
 use crate::transport::scene::RenderScene;
 use crate::transport::spectrum::SampledWavelengths;
-use crate::transport::surface::conductor_table::{ConductorTable, STEPS as CURVE_STEPS};
-use crate::transport::surface::material::{MaterialModel, RenderMaterial};
+use crate::transport::surface::material::RenderMaterial;
+use crate::transport::surface::model::MaterialModel;
+use crate::transport::surface::model::conductor::{ConductorTable, STEPS as CURVE_STEPS};
 
 /// The constants of shaders for such scenes.
 pub(crate) fn constants(special: &ShaderSpecialization) -> ShaderConstants {

@@ -12,6 +12,7 @@ use crate::simd::{Float as _, Float32, MOST_LANES, Mask as _, Width, Word};
 use crate::transport::interaction::SurfaceInteraction;
 use crate::transport::media::AIR;
 use crate::transport::media::transmittance::Transmittance;
+use crate::transport::surface::bsdf::BsdfValue;
 
 /// Rays of trees, with what they carry.
 #[derive(Clone, Copy)]
@@ -99,19 +100,15 @@ pub(crate) trait PathObserver<W: Width> {
     ) {
     }
 
-    /// That light's highlight, with k_s.
-    #[inline(always)]
-    fn on_highlight(&mut self, _to_viewer: Vector<W::R>, _highlight: W::R) {}
-
-    /// What arrives of that light if nothing is in the way, what passes on the way there, and what the surface sends on of
-    /// it: at the points `lit`.
+    /// What arrives of that light if nothing is in the way, what passes on the way there, what the surface sends on of each
+    /// unit of it, and of all of it: at the points `lit`.
     #[inline(always)]
     fn on_light_answer(
         &mut self,
         _lit: W::M,
         _power: Vector<W::R>,
         _through: &Transmittance<W>,
-        _light: Vector<W::R>,
+        _sent: (&BsdfValue<W>, Vector<W::R>),
     ) {
     }
 
@@ -130,10 +127,6 @@ pub(crate) trait PathObserver<W: Width> {
     /// The coefficients of rays that are reflected, before they are, if at all.
     #[inline(always)]
     fn on_reflection(&mut self, _coefficients: Vector<W::R>) {}
-
-    /// What facets send on of a light, for each unit of its power.
-    #[inline(always)]
-    fn on_microfacets(&mut self, _glints: Vector<W::R>) {}
 
     /// The share of light that the media leave on the way to what was met.
     #[inline(always)]

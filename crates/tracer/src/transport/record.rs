@@ -4,7 +4,7 @@ use glam::{DVec3, Vec3};
 
 use crate::geometry::ray::Ray;
 use crate::transport::pick::RayIntersection;
-use crate::transport::surface::material::ReflectionModel;
+use crate::transport::surface::model::ReflectionModel;
 
 /// Why a ray was sent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,7 +1,5 @@
 //! What every integrator asks of a scene: which bodies a packet meets, and what light their surfaces send on directly.
 
-pub(crate) mod rough;
-
 use glam::DVec2;
 
 use crate::geometry::bvh::packet::TraversalStack;
@@ -20,10 +18,11 @@ use crate::transport::media::transmittance::Transmittance;
 use crate::transport::media::{AIR, MediumStacks};
 use crate::transport::path::{PathObserver, PathState};
 use crate::transport::sampler::{SampleDimension, Sampler};
+use crate::transport::sampling::Sample2D;
 use crate::transport::scene::RenderScene;
 use crate::transport::spectrum::SampledWavelengths;
 use crate::transport::stream::StreamShading;
-use crate::transport::surface::phong_highlight;
+use crate::transport::surface::bsdf::Bsdf;
 use crate::transport::tile_candidates::TileCandidates;
 
 /// One thread's means of shading packets; reusable from tile to tile.
@@ -173,7 +172,8 @@ impl<'a> ShadingContext<'a> {
         if !FULL || source.radius == 0.0 {
             return LightSample { to_light, distance, power: None };
         }
-        let sample = self.sampler.sample_2d(w, self.scene, paths, at.body, SampleDimension::Light(index));
+        let sample =
+            self.sampler.sample_2d(w, self.scene, paths, at.bsdf.body, SampleDimension::Light(index));
         let (to_point, before, share) = source.sample_sphere((to_light, distance), &sample);
         LightSample { to_light: to_point, distance: before, power: Some(source.power_at(distance) * share) }
     }
@@ -190,10 +190,12 @@ impl<'a> ShadingContext<'a> {
         observer: &mut impl PathObserver<W>,
     ) -> Vector<W::R> {
         let zero = w.real(0.0);
-        let mut light = at.ambient;
-        if !at.answers.any() {
+        let bsdf = &at.bsdf;
+        let mut light = bsdf.ambient;
+        if !bsdf.scatters.any() {
             return light;
         }
+        let ratio = if FULL { self.facet_ratio(w, paths, bsdf) } else { w.real(1.0) };
         let is_unshadowed = matches!(from, PacketSource::Unshadowed);
         let mut rays = at.rays_on_this_side(paths.rays.direction);
         for (index, source) in self.scene.lights.iter().enumerate() {
@@ -202,19 +204,19 @@ impl<'a> ShadingContext<'a> {
             }
             let LightSample { to_light, distance, power } =
                 self.sample_li::<W, FULL>(w, paths, at, (index, source));
-            let cos = at.normal.dot(to_light);
+            let cos = bsdf.normal.dot(to_light);
             observer.on_light(index, to_light, distance, cos);
             rays.direction = to_light;
             let mut faces = cos.gt(zero);
             if FULL {
                 // The body's own surface lies between its inner side and a light; what it lets through from there is seen
                 // where the viewer's ray leaves it.
-                let within = at.rough_interior();
+                let within = bsdf.rough_interior();
                 faces = (faces & !within) | (within & cos.lt(zero));
                 rays.start = W::W::select(within, at.rays_on_far_side(to_light).start, at.start);
             }
             // A light that stands exactly here has no direction.
-            let mut lit = at.answers & distance.gt(zero) & faces;
+            let mut lit = bsdf.scatters & distance.gt(zero) & faces;
             if !lit.any() {
                 continue;
             }
@@ -239,44 +241,36 @@ impl<'a> ShadingContext<'a> {
                     continue;
                 }
             }
-            let answer = self.eval_bsdf::<W, FULL>(w, paths, at, (to_light, cos), observer);
+            let value = bsdf.eval::<FULL>(w, self.scene, -paths.rays.direction, (to_light, cos), ratio);
             let power = power.unwrap_or_else(|| source.power_at(distance));
-            let answer = power.times(answer);
+            let answer = power.times(value.sum);
             if let Some((streams, place)) = streams {
                 streams.ask(w, index, place, &rays, (paths.media, distance), answer, lit);
             } else {
                 let more = through.share.map_or(answer, |share| answer.times(share));
-                observer.on_light_answer(lit, power, &through, more);
+                observer.on_light_answer(lit, power, &through, (&value, more));
                 light = Vector::select(lit, light + more, light);
             }
         }
         light.bounded()
     }
 
-    /// What the surfaces send on towards the viewer of light from these directions, under angles of these cosines to the
-    /// normals: for each unit of its power.
+    /// The numbers that choose a facet of rough surfaces.
     #[inline(always)]
-    fn eval_bsdf<W: Width, const FULL: bool>(
-        &mut self,
+    pub(crate) fn facet_sample<W: Width>(
+        &self,
         w: W,
         paths: &PathState<W>,
         at: &SurfaceInteraction<W>,
-        (to_light, cos): (Vector<W::R>, W::R),
-        observer: &mut impl PathObserver<W>,
-    ) -> Vector<W::R> {
-        let to_viewer = -paths.rays.direction;
-        let mut answer = if FULL { at.eval_diffuse(cos) } else { at.diffuse * cos };
-        if at.glossy.any() {
-            let highlight = at.specular * phong_highlight(to_viewer, to_light, at.normal, at.shininess);
-            observer.on_highlight(to_viewer, highlight);
-            answer = answer.map(|diffuse| diffuse + highlight);
-        }
-        if FULL && at.rough.any() {
-            let microfacets = self.eval_microfacets(w, paths, at, to_light);
-            observer.on_microfacets(microfacets);
-            answer = answer + microfacets;
-        }
-        answer
+    ) -> Sample2D<W> {
+        self.sampler.sample_2d(w, self.scene, paths, at.bsdf.body, SampleDimension::Facet)
+    }
+
+    /// The ratio of indices at facets of clear bodies, 1 elsewhere.
+    #[inline(always)]
+    fn facet_ratio<W: Width>(&mut self, w: W, paths: &PathState<W>, bsdf: &Bsdf<W>) -> W::R {
+        let lanes = bsdf.rough_dielectric();
+        if lanes.any() { self.cross_interface(w, paths.media, bsdf.body, lanes).0 } else { w.real(1.0) }
     }
 
     /// The ratio of indices for rays that cross the surfaces of bodies, and the media beyond.

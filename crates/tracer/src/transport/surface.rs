@@ -1,8 +1,9 @@
 //! How a surface answers light: directions of reflected and refracted rays, and the local terms.
 
-pub(crate) mod conductor_table;
+pub(crate) mod bsdf;
 pub(crate) mod material;
 pub(crate) mod microfacet;
+pub(crate) mod model;
 
 use crate::simd::vector::Vector;
 use crate::simd::{Float32, Mask as _, Word as _};

@@ -140,7 +140,7 @@ impl<W: Width> FirstHitPacket<W> {
                 shading.direct_light::<W, true>(w, paths, &mut from, &membership, &at, &mut Unobserved);
             found.start = at.start;
             found.position = at.position;
-            found.normal = Vector::select(hit, at.normal, direction);
+            found.normal = Vector::select(hit, at.bsdf.normal, direction);
             found.light = Vector::select(hit, light, background);
         }
         shading.membership = membership;

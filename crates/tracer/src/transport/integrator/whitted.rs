@@ -185,7 +185,7 @@ impl<'a> WhittedIntegrator<'a> {
         if goes_on.any() {
             self.scatter::<W, FULL>(w, paths, &at, goes_on, secondary);
         }
-        let at_limit = at.transparent & hit & !below;
+        let at_limit = at.bsdf.transparent & hit & !below;
         if at_limit.any() {
             self.pass_at_limit::<W, FULL>(w, *paths, at, at_limit, secondary);
         }

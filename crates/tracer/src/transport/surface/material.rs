@@ -1,7 +1,6 @@
 //! Materials of the scene.
 
 use std::collections::HashMap;
-use std::sync::Arc;
 
 use catoptric_optics::{CLEAR, Dispersion, METALS, fresnel};
 use catoptric_scene::{Color, Conductor, Material, MaterialChoice, Model, Scene};
@@ -10,8 +9,10 @@ use crate::geometry::body::RenderBody;
 use crate::simd::vector::Vector;
 use crate::simd::{Float32, Width};
 use crate::transport::color::linear_rgb;
-use crate::transport::surface::conductor_table::ConductorTable;
 use crate::transport::surface::exponential;
+use crate::transport::surface::model::MaterialModel;
+use crate::transport::surface::model::coated::CoatedMaterial;
+use crate::transport::surface::model::conductor::ConductorTable;
 use crate::transport::texture::ImageTexture;
 
 /// Coefficients of a surface, in single precision.
@@ -43,87 +44,6 @@ pub(crate) struct RenderMaterial {
     pub alpha: f32,
     /// What light loses in the body, for each meter: the negative logarithm of what is left of it.
     pub absorption: [f32; 3],
-}
-
-/// How much a surface reflects under which angle.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum MaterialModel {
-    /// k_r under any.
-    Constant,
-    /// C·k_r under any.
-    Mirror,
-    /// By Fresnel's formulas with the indices of refraction on either side; the rest goes on.
-    Dielectric,
-    /// By Fresnel's formulas for the spectrum of a metal.
-    Conductor(Arc<ConductorTable>),
-    /// By Fresnel's formulas, out of air; the rest is scattered below.
-    Coat(CoatedMaterial),
-}
-
-impl MaterialModel {
-    /// Which it is.
-    pub(crate) fn name(&self) -> ReflectionModel {
-        match self {
-            Self::Constant => ReflectionModel::Constant,
-            Self::Mirror => ReflectionModel::Mirror,
-            Self::Dielectric => ReflectionModel::Dielectric,
-            Self::Conductor(_) => ReflectionModel::Conductor,
-            Self::Coat(_) => ReflectionModel::Coat,
-        }
-    }
-}
-
-/// A clear coat on a matte ground.
-///
-/// Light that goes in, is scattered evenly and goes out again, or is reflected back to the ground any number of times:
-/// `(1 - R(θ_v))·(1 - R(θ_l))·C / (η²·(1 - C·(1 - lets_out)))` (M. Pharr, G. Humphreys 2004; W. Jakob 2010, Mitsuba,
-/// `plastic`).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct CoatedMaterial {
-    /// Index of air divided by that of the coat.
-    pub ratio: f32,
-    /// 1/η².
-    pub spread: f32,
-    /// What the coat lets out of light scattered evenly below it; kept instead of what it reflects, which is so near to 1
-    /// at extreme indices that single precision would not tell them apart.
-    pub lets_out: f32,
-    /// What the coat lets in of light that comes evenly from all sides.
-    pub lets_in: f32,
-}
-
-impl CoatedMaterial {
-    fn new(ior: f64) -> Self {
-        let spread = 1.0 / (ior * ior);
-        // A pencil of light and its reverse lose alike: of even light, η² times as much passes into the medium of the
-        // relative index η as comes back out of it. So only the way into the denser medium is integrated, where nothing
-        // is totally reflected.
-        let (lets_in, lets_out) = if ior >= 1.0 {
-            let into = passed_of_even_light(ior);
-            (into, into * spread)
-        } else {
-            let into = passed_of_even_light(1.0 / ior);
-            (into * ior * ior, into)
-        };
-        Self {
-            ratio: (1.0 / ior) as f32,
-            spread: spread as f32,
-            lets_out: lets_out as f32,
-            lets_in: lets_in as f32,
-        }
-    }
-}
-
-/// The share of even light that passes into a medium of the relative index `eta`, at least 1: ∫ (1 - R(θ)) dcos²θ.
-///
-/// By the midpoint rule in x with cos θ = x²: near the surface, where R changes within angles of about 1/`eta`, the
-/// steps are small.
-fn passed_of_even_light(eta: f64) -> f64 {
-    const STEPS: u32 = 4096;
-    let passed = |step| {
-        let x = (f64::from(step) + 0.5) / f64::from(STEPS);
-        4.0 * x.powi(3) * (1.0 - fresnel::dielectric(x * x, eta).mean()) / f64::from(STEPS)
-    };
-    (0..STEPS).map(passed).sum()
 }
 
 impl RenderMaterial {
@@ -370,70 +290,4 @@ fn key(material: &Material) -> MaterialKey {
 /// The place of a name among others, to be told from them.
 fn place_of<'t>(mut names: impl Iterator<Item = &'t str>, name: &str) -> f64 {
     names.position(|other| other == name).map_or(-1.0, |place| place as f64)
-}
-
-/// By which law a surface reflects.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ReflectionModel {
-    /// Whitted's k_r under every angle.
-    Constant,
-    /// A mirror's color under every angle.
-    Mirror,
-    /// Fresnel's formulas for the indices on either side; the rest goes on.
-    Dielectric,
-    /// Fresnel's formulas for a metal.
-    Conductor,
-    /// Fresnel's formulas for a clear coat; the rest is scattered below it.
-    Coat,
-}
-
-impl ReflectionModel {
-    /// Its name in machine-readable output.
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::Constant => "constant",
-            Self::Mirror => "mirror",
-            Self::Dielectric => "dielectric",
-            Self::Conductor => "conductor",
-            Self::Coat => "coat",
-        }
-    }
-
-    /// Whether the surface has a ground that scatters light: ambient and diffuse terms.
-    pub const fn has_ground(self) -> bool {
-        matches!(self, Self::Constant | Self::Coat)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// ∫ (1 - R(θ)) dcos²θ into any medium, from where total reflection ends, in very many steps.
-    fn passed_in_many_steps(eta: f64) -> f64 {
-        const STEPS: u32 = 400_000;
-        let least = (1.0 - eta * eta).max(0.0);
-        let passed = |step| {
-            // cos² = least + (1 - least)·u⁴: small steps where the curve is steep.
-            let u = (f64::from(step) + 0.5) / f64::from(STEPS);
-            let cos = (least + (1.0 - least) * u.powi(4)).sqrt();
-            (1.0 - least) * 4.0 * u.powi(3) * (1.0 - fresnel::dielectric(cos, eta).mean())
-        };
-        (0..STEPS).map(passed).sum::<f64>() / f64::from(STEPS)
-    }
-
-    #[test]
-    fn coats_let_through_what_the_integral_says_at_every_index() {
-        for ior in
-            [0.01, 0.012, 0.015, 0.03, 0.1, 0.5, 0.9, 0.999, 1.0, 1.001, 1.1, 1.5, 2.4, 10.0, 33.0, 100.0]
-        {
-            let coat = CoatedMaterial::new(ior);
-            for (found, exact) in
-                [(coat.lets_in, passed_in_many_steps(ior)), (coat.lets_out, passed_in_many_steps(1.0 / ior))]
-            {
-                let off = f64::from(found) / exact - 1.0;
-                assert!(off.abs() < 1e-3, "{ior}: {found}, not {exact}");
-            }
-        }
-    }
 }

@@ -75,7 +75,7 @@ fn scatter(
     let generation = (*follower).generation;
     var ground = Macrosurface((*at).normal, 0.0);
     if is_rough(at) && !is_last {
-        ground = sample_microfacet(at, ray.direction, generation);
+        ground = sample_facet(at, ray.direction, generation);
     }
     var reflected = (*at).reflected;
     if HAS_TRANSPARENCY && body_is_transparent((*at).body) {

@@ -24,6 +24,7 @@ use crate::transport::record::{
 use crate::transport::sampler::Sampler;
 use crate::transport::scene::RenderScene;
 use crate::transport::shading::PacketSource;
+use crate::transport::surface::bsdf::BsdfValue;
 use crate::transport::surface::highlight_cosine;
 use crate::transport::tile_rect::{TILE, TileRect};
 
@@ -66,12 +67,12 @@ impl Eq for QueuedPath {}
 /// Writes down what becomes of one ray.
 struct PathRecorder<'a> {
     scene: &'a RenderScene,
+    to_viewer: Vector<f32>,
     /// The bodies that the ray flies in, the one entered last at the end.
     media: Vec<u32>,
     at: Option<SurfaceInteraction<ScalarWidth>>,
     local: Option<Vector<f32>>,
     lights: Vec<LightTerm>,
-    highlight: Option<(Vector<f32>, f32)>,
     crossing: Option<InterfaceCrossing<ScalarWidth>>,
     /// What the way there leaves of the light.
     through: Vector<f32>,
@@ -79,7 +80,6 @@ struct PathRecorder<'a> {
     through_last: Vec3,
     through_all: Vec3,
     reflected: Vec3,
-    glints: Vec3,
     /// Whether a ray has been let through.
     has_refracted: bool,
     /// The rays that go on, with their coefficients.
@@ -87,22 +87,21 @@ struct PathRecorder<'a> {
 }
 
 impl<'a> PathRecorder<'a> {
-    fn new(scene: &'a RenderScene, table: &MediumStacks, media: u32) -> Self {
-        let mut media: Vec<u32> = table.bodies(media).collect();
+    fn new(scene: &'a RenderScene, table: &MediumStacks, path: &PathState<ScalarWidth>) -> Self {
+        let mut media: Vec<u32> = table.bodies(path.media).collect();
         media.reverse();
         Self {
             scene,
+            to_viewer: -path.rays.direction,
             media,
             at: None,
             local: None,
             lights: Vec::new(),
-            highlight: None,
             crossing: None,
             through: Vector::new(1.0, 1.0, 1.0),
             through_last: Vec3::ZERO,
             through_all: Vec3::ZERO,
             reflected: Vec3::ZERO,
-            glints: Vec3::ZERO,
             has_refracted: false,
             sent: Vec::new(),
         }
@@ -126,7 +125,6 @@ impl PathObserver<ScalarWidth> for PathRecorder<'_> {
     }
 
     fn on_light(&mut self, light: usize, to_light: Vector<f32>, distance: f32, cosine: f32) {
-        self.highlight = None;
         let direction = to_light.into();
         self.lights.push(LightTerm { light, direction, distance, cosine, shadow: None, answer: None });
     }
@@ -179,28 +177,24 @@ impl PathObserver<ScalarWidth> for PathRecorder<'_> {
         }
     }
 
-    fn on_highlight(&mut self, to_viewer: Vector<f32>, highlight: f32) {
-        self.highlight = Some((to_viewer, highlight));
-    }
-
     fn on_light_answer(
         &mut self,
         _lit: bool,
         power: Vector<f32>,
         _through: &Transmittance<ScalarWidth>,
-        light: Vector<f32>,
+        (value, light): (&BsdfValue<ScalarWidth>, Vector<f32>),
     ) {
         let Some((at, term)) = self.at.zip(self.lights.last_mut()) else { return };
-        let (highlight_cosine, highlight) =
-            self.highlight.map_or((f32::NAN, 0.0), |(to_viewer, highlight)| {
-                (highlight_cosine(to_viewer, term.direction.into(), at.normal), highlight)
-            });
+        let highlight_cosine = match at.bsdf.glossy {
+            true => highlight_cosine(self.to_viewer, term.direction.into(), at.bsdf.normal),
+            false => f32::NAN,
+        };
         term.answer = Some(LightContribution {
             power: power.into(),
-            diffuse: at.eval_diffuse(term.cosine).into(),
+            diffuse: value.diffuse.into(),
             highlight_cosine,
-            highlight,
-            glints: std::mem::take(&mut self.glints),
+            highlight: value.highlight,
+            glints: value.microfacets.into(),
             light: light.into(),
         });
     }
@@ -220,10 +214,6 @@ impl PathObserver<ScalarWidth> for PathRecorder<'_> {
 
     fn on_reflection(&mut self, coefficients: Vector<f32>) {
         self.reflected = coefficients.into();
-    }
-
-    fn on_microfacets(&mut self, glints: Vector<f32>) {
-        self.glints = glints.into();
     }
 
     fn on_medium(&mut self, through: Vector<f32>) {
@@ -277,7 +267,7 @@ impl<'a> WhittedIntegrator<'a> {
                 break;
             }
             let place = tree.len();
-            let mut scribe = PathRecorder::new(self.shading.scene, &self.shading.media, beam.media);
+            let mut scribe = PathRecorder::new(self.shading.scene, &self.shading.media, &beam);
             let followed =
                 self.li::<ScalarWidth, true>(ScalarWidth, &beam, PacketSource::Anywhere, &mut scribe);
             for (kind, coefficient, beam) in scribe.sent.drain(..) {
@@ -345,7 +335,7 @@ impl<'a> WhittedIntegrator<'a> {
             let beyond = self
                 .shading
                 .media
-                .interface(self.shading.scene, &self.shading.waves, beam.media, at.body)
+                .interface(self.shading.scene, &self.shading.waves, beam.media, at.bsdf.body)
                 .beyond;
             let ior_beyond = self.shading.media.ior(self.shading.scene, &self.shading.waves, beyond);
             InterfaceRecord { ior_beyond, ratio, is_total: !passes }
@@ -358,10 +348,10 @@ impl<'a> WhittedIntegrator<'a> {
         if is_total {
             refracted.fate = BranchOutcome::TotalReflection;
         }
-        let body = self.shading.scene.geometry.body(at.body);
+        let body = self.shading.scene.geometry.body(at.bsdf.body);
         let material = self.shading.scene.material(body);
         let line = (beam.rays.origin, beam.rays.direction);
-        let point = self.shading.scene.geometry.surface_point(at.body, line, at.t, at.leaves());
+        let point = self.shading.scene.geometry.surface_point(at.bsdf.body, line, at.t, at.bsdf.inside);
         let checker = self.shading.scene.checkers.get(body.checker as usize);
         let odd = checker.filter(|checker| checker.is_odd(point.on_checker(body)));
         let own = material.color_at(ScalarWidth, body, point.in_body, true);
@@ -372,7 +362,7 @@ impl<'a> WhittedIntegrator<'a> {
             alpha: material.alpha,
             ambient_coefficient: material.ambient,
             ambient_light: self.shading.scene.ambient.into(),
-            ambient: at.ambient.into(),
+            ambient: at.bsdf.ambient.into(),
             diffuse_coefficient: material.diffuse,
             specular_coefficient: material.specular,
             shininess: material.shininess,
@@ -390,7 +380,7 @@ impl<'a> WhittedIntegrator<'a> {
         at: &SurfaceInteraction<ScalarWidth>,
     ) -> PathRecorder<'a> {
         let counts = self.shading.counts;
-        let mut scribe = PathRecorder::new(self.shading.scene, &self.shading.media, beam.media);
+        let mut scribe = PathRecorder::new(self.shading.scene, &self.shading.media, beam);
         self.scatter::<ScalarWidth, true>(ScalarWidth, beam, at, true, &mut scribe);
         self.shading.counts = counts;
         scribe

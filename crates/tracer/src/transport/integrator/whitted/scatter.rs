@@ -7,13 +7,13 @@ use crate::transport::integrator::whitted::WhittedIntegrator;
 use crate::transport::interaction::SurfaceInteraction;
 use crate::transport::media::AIR;
 use crate::transport::path::{InterfaceCrossing, PathState, SecondaryRays};
-use crate::transport::shading::rough::Macrosurface;
-use crate::transport::surface::{fresnel, mend_unit, reflect, refract};
+use crate::transport::surface::bsdf::{Bsdf, BsdfDirac, Macrosurface};
 
 /// What is needed to send rays on.
 struct ScatterContext<'e, W: Width> {
-    /// Where they start, rough surfaces turned to the facet that is seen.
     at: &'e SurfaceInteraction<W>,
+    /// What sends them on: rough surfaces turned to the facet that is seen.
+    bsdf: &'e Bsdf<W>,
     /// The surface that the facets make up.
     macrosurface: Option<Macrosurface<W>>,
     /// Their generation.
@@ -22,15 +22,13 @@ struct ScatterContext<'e, W: Width> {
     is_last: bool,
 }
 
-/// What becomes of rays at a clear surface.
+/// What becomes of rays at the surfaces of transparent bodies.
 struct DielectricInterface<W: Width> {
+    /// The index on the rays' side divided by that on the other.
     ratio: W::R,
+    /// The media on the other side.
     beyond: W::W,
-    bent: Vector<W::R>,
-    /// Those that are not totally reflected.
-    passes: W::M,
-    reflection: W::R,
-    filter: Vector<W::R>,
+    dirac: BsdfDirac<W>,
 }
 
 impl WhittedIntegrator<'_> {
@@ -46,28 +44,30 @@ impl WhittedIntegrator<'_> {
     ) {
         let next = paths.generation.plus(w.word(1));
         let facets;
-        let mut context = ScatterContext { at, macrosurface: None, next, is_last: false };
-        if FULL && at.rough.any() {
-            let (on, macrosurface) = self.shading.sample_microfacet(w, paths, at);
-            facets = on;
-            (context.at, context.macrosurface) = (&facets, Some(macrosurface));
+        let direction = paths.rays.direction;
+        let mut context = ScatterContext { at, bsdf: &at.bsdf, macrosurface: None, next, is_last: false };
+        if FULL && at.bsdf.rough.any() {
+            let sample = self.shading.facet_sample(w, paths, at);
+            let (turned, macrosurface) = at.bsdf.sample_facet(w, self.shading.scene, direction, &sample);
+            facets = turned;
+            (context.bsdf, context.macrosurface) = (&facets, Some(macrosurface));
         }
-        let mut reflection = context.reflected::<FULL>(context.at.reflection);
-        let transparent = goes_on & at.transparent;
+        let mut reflection = context.reflectance::<FULL>(context.bsdf.reflection);
+        let transparent = goes_on & at.bsdf.transparent;
         if transparent.any() {
             reflection = self.refracted::<W, FULL>(w, paths, &context, transparent, secondary);
         }
-        let at = context.at;
         let mut lanes = goes_on;
         if FULL {
-            (reflection, lanes) = context.masking(mirrored(paths, at), false, reflection, goes_on);
+            let mirrored = context.bsdf.mirrored(direction);
+            (reflection, lanes) = context.masking(mirrored, false, reflection, goes_on);
         }
         secondary.on_reflection(reflection);
         let weight = paths.weight.times(reflection).bounded();
         let lanes = lanes & self.is_above_threshold(w, weight);
         if lanes.any() {
             self.shading.counts.reflected += u64::from(lanes.bits().count_ones());
-            let rays = at.rays_on_this_side(mirrored(paths, at));
+            let rays = at.rays_on_this_side(context.bsdf.mirrored(direction));
             secondary.reflected(context.paths(paths, rays, weight, (paths.media, lanes)));
         }
     }
@@ -84,7 +84,7 @@ impl WhittedIntegrator<'_> {
         at_limit: W::M,
         secondary: &mut impl SecondaryRays<W>,
     ) {
-        let (ratio, _) = self.shading.cross_interface(w, paths.media, at.body, at_limit);
+        let (ratio, _) = self.shading.cross_interface(w, paths.media, at.bsdf.body, at_limit);
         // Between equal indices there is no surface that could be rough.
         let straight = at_limit & ratio.eq(w.real(1.0));
         if straight.any() {
@@ -92,7 +92,8 @@ impl WhittedIntegrator<'_> {
                 #[inline(always)]
                 || {
                     let next = paths.generation.plus(w.word(1));
-                    let context = ScatterContext { at: &at, macrosurface: None, next, is_last: true };
+                    let bsdf = &at.bsdf;
+                    let context = ScatterContext { at: &at, bsdf, macrosurface: None, next, is_last: true };
                     self.refracted::<W, FULL>(w, &paths, &context, straight, secondary);
                 },
             );
@@ -112,19 +113,19 @@ impl WhittedIntegrator<'_> {
         let mut white = transparent;
         let mut split = None;
         if FULL && self.shading.scene.disperses {
-            let lanes = transparent & context.at.disperses & self.are_white(w, paths.media);
+            let lanes = transparent & context.bsdf.disperses & self.are_white(w, paths.media);
             if lanes.any() {
                 split = Some((lanes, self.disperse(w, paths, context, lanes, secondary)));
                 white = white & !lanes;
             }
         }
-        let crossing = self.interface::<W, FULL>(w, paths, paths.media, context.at, transparent);
-        let DielectricInterface { ratio, passes, filter, .. } = crossing;
+        let crossing = self.interface::<W, FULL>(w, paths, paths.media, context.bsdf, transparent);
+        let DielectricInterface { ratio, dirac: BsdfDirac { passes, filter, .. }, .. } = crossing;
         secondary.on_interface(InterfaceCrossing { ratio, passes });
         if white.any() {
             self.send_through::<W, FULL>(w, paths, context, &crossing, filter, white, secondary);
         }
-        let reflection = context.reflected::<FULL>(crossing.reflection);
+        let reflection = context.reflectance::<FULL>(crossing.dirac.reflection);
         match split {
             Some((lanes, colored)) => Vector::select(lanes, colored, reflection),
             None => reflection,
@@ -149,9 +150,9 @@ impl WhittedIntegrator<'_> {
                 for number in 0..self.shading.waves.len() {
                     let color = self.shading.waves.color(number);
                     let media = self.colored(w, paths.media, number, lanes);
-                    let crossing = self.interface::<W, true>(w, paths, media, context.at, lanes);
-                    reflection = reflection + Vector::splat(nothing, color) * crossing.reflection;
-                    let filter = crossing.filter.times_all(color);
+                    let crossing = self.interface::<W, true>(w, paths, media, context.bsdf, lanes);
+                    reflection = reflection + Vector::splat(nothing, color) * crossing.dirac.reflection;
+                    let filter = crossing.dirac.filter.times_all(color);
                     self.send_through::<W, true>(w, paths, context, &crossing, filter, lanes, secondary);
                 }
                 reflection
@@ -166,25 +167,12 @@ impl WhittedIntegrator<'_> {
         w: W,
         paths: &PathState<W>,
         media: W::W,
-        at: &SurfaceInteraction<W>,
+        bsdf: &Bsdf<W>,
         transparent: W::M,
     ) -> DielectricInterface<W> {
-        let one = w.real(1.0);
-        let direction = paths.rays.direction;
-        let (ratio, beyond) = self.shading.cross_interface(w, media, at.body, transparent);
-        let (bent, passes) = refract(direction, at.normal, ratio);
-        let (mut reflection, mut filter) = (at.reflection, at.filter);
-        let clear = transparent & at.clear;
-        if FULL && clear.any() {
-            let cos = (-at.normal.dot(direction)).min(one).max(w.real(0.0));
-            let share = fresnel(cos, ratio);
-            reflection = W::R::select(clear, share, reflection);
-            let rest = one - share;
-            filter = Vector::select(clear, Vector::new(rest, rest, rest), filter);
-        }
-        // Total internal reflection: all of the light, and nothing twice.
-        reflection = W::R::select(transparent & !passes, one, reflection);
-        DielectricInterface { ratio, beyond, bent, passes, reflection, filter }
+        let (ratio, beyond) = self.shading.cross_interface(w, media, bsdf.body, transparent);
+        let dirac = bsdf.dirac::<FULL>(w, paths.rays.direction, ratio, transparent);
+        DielectricInterface { ratio, beyond, dirac }
     }
 
     #[inline(always)]
@@ -199,11 +187,11 @@ impl WhittedIntegrator<'_> {
         lanes: W::M,
         secondary: &mut impl SecondaryRays<W>,
     ) {
-        let DielectricInterface { ratio, beyond, bent, passes, .. } = *crossing;
+        let DielectricInterface { ratio, beyond, dirac: BsdfDirac { refracted, passes, .. } } = *crossing;
         let straight = ratio.eq(w.real(1.0));
         let (mut filter, mut lanes) = (filter, lanes & passes);
         if FULL {
-            let (left, flies) = context.masking(bent, true, filter, lanes);
+            let (left, flies) = context.masking(refracted, true, filter, lanes);
             // Between equal indices there is no surface, and nothing that could be rough.
             filter = Vector::select(straight, filter, left);
             lanes = flies | (lanes & straight);
@@ -220,7 +208,7 @@ impl WhittedIntegrator<'_> {
         if lanes.any() {
             self.shading.counts.refracted += u64::from(lanes.bits().count_ones());
             let mut through =
-                context.paths(paths, context.at.rays_on_far_side(bent), weight, (beyond, lanes));
+                context.paths(paths, context.at.rays_on_far_side(refracted), weight, (beyond, lanes));
             through.generation = W::W::select(same, paths.generation, context.next);
             secondary.refracted(through);
         }
@@ -252,17 +240,11 @@ impl WhittedIntegrator<'_> {
     }
 }
 
-/// The directions of the reflected rays.
-#[inline(always)]
-fn mirrored<W: Width>(paths: &PathState<W>, at: &SurfaceInteraction<W>) -> Vector<W::R> {
-    mend_unit(reflect(paths.rays.direction, at.normal))
-}
-
 impl<W: Width> ScatterContext<'_, W> {
     /// What is reflected, of each channel.
     #[inline(always)]
-    fn reflected<const FULL: bool>(&self, reflection: W::R) -> Vector<W::R> {
-        if FULL { self.at.reflected(reflection) } else { Vector::new(reflection, reflection, reflection) }
+    fn reflectance<const FULL: bool>(&self, reflection: W::R) -> Vector<W::R> {
+        if FULL { self.bsdf.reflectance(reflection) } else { Vector::new(reflection, reflection, reflection) }
     }
 
     /// The coefficients and rays that are left where facets let them off.

@@ -1,4 +1,4 @@
-// Twin of conductor_table.rs: how much a metal reflects, by angle.
+// Twin of conductor.rs: how much a metal reflects, by angle.
 
 // The reflectances at a cosine from 0 to 1 of the curve that begins at a row.
 fn curve_at(first: u32, cos: f32) -> vec3<f32> {

@@ -5,6 +5,9 @@ use std::sync::{Arc, OnceLock};
 use catoptric_optics::{METALS, fresnel};
 use catoptric_scene::Conductor;
 
+use crate::simd::vector::Vector;
+use crate::simd::{Float32 as _, MOST_LANES, Width};
+
 /// The reflectance of a conductor in air by the cosine of the angle of incidence, for each channel.
 ///
 /// Fresnel's formulas are summed over the visible spectrum in double precision at even steps of the cosine; a cubic
@@ -96,6 +99,17 @@ fn reflectance(conductor: &Conductor, cos: f64) -> [f64; 3] {
             [channel(n.x, k.x), channel(n.y, k.y), channel(n.z, k.z)]
         }
     }
+}
+
+/// The reflectances of a metal under angles of these cosines.
+pub(crate) fn reflectances<W: Width>(w: W, curve: &ConductorTable, cos: W::R) -> Vector<W::R> {
+    let mut cosines = [0.0; MOST_LANES];
+    cos.store(&mut cosines);
+    let [mut red, mut green, mut blue] = [[0.0; MOST_LANES]; 3];
+    for (lane, cos) in cosines.into_iter().enumerate().take(W::LANES) {
+        [red[lane], green[lane], blue[lane]] = curve.at(cos);
+    }
+    Vector::new(w.load(&red), w.load(&green), w.load(&blue))
 }
 
 #[cfg(test)]

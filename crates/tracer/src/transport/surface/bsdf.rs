@@ -1,0 +1,415 @@
+//! What the surfaces that rays met do with light: bidirectional scattering distribution functions.
+//!
+//! The terms are in the units of the model: π·f·cos θ, so that a matte surface sends on k_d·C·(n̂·L̂) of a light. Smooth
+//! surfaces reflect and refract along one direction each ([`BsdfDirac`]); rough ones along those of their facets, one of
+//! which a [sample](Bsdf::sample_facet) chooses.
+
+use crate::geometry::body::RenderBody;
+use crate::simd::vector::Vector;
+use crate::simd::{Float as _, MOST_LANES, Mask as _, Width, Word as _};
+use crate::transport::sampling::Sample2D;
+use crate::transport::scene::RenderScene;
+use crate::transport::surface::material::RenderMaterial;
+use crate::transport::surface::microfacet::{
+    reflected_density, sample_visible_normal, smith_g1, transmitted_density,
+};
+use crate::transport::surface::model::{MaterialModel, conductor};
+use crate::transport::surface::{fresnel, mend_unit, phong_highlight, reflect, refract};
+
+/// The surfaces that rays side by side met. Masks tell whose lobes count. Of rays that met nothing, the numbers mean
+/// nothing.
+#[derive(Clone, Copy)]
+pub(crate) struct Bsdf<W: Width> {
+    /// The bodies, whose materials know how much metals reflect.
+    pub(crate) body: W::W,
+    /// Unit normal on the viewer's side.
+    pub(crate) normal: Vector<W::R>,
+    /// k_a·C·I_a.
+    pub(crate) ambient: Vector<W::R>,
+    /// k_d·C.
+    pub(crate) diffuse: Vector<W::R>,
+    /// k_s.
+    pub(crate) specular: W::R,
+    /// Exponent n.
+    pub(crate) shininess: W::R,
+    /// k_r, or what is reflected under this angle; of dielectrics, only the interface tells.
+    pub(crate) reflection: W::R,
+    /// What surfaces that reflect in color reflect of each channel.
+    pub(crate) tint: Vector<W::R>,
+    /// k_t·τ.
+    pub(crate) filter: Vector<W::R>,
+    /// The index of air divided by that of a coat.
+    pub(crate) coat_ratio: W::R,
+    /// The width of the slopes of facets, α.
+    pub(crate) alpha: W::R,
+    /// Rays inside the bodies whose surfaces they met.
+    pub(crate) inside: W::M,
+    /// Surfaces that let rays through.
+    pub(crate) transparent: W::M,
+    /// Those that send on light of lights.
+    pub(crate) scatters: W::M,
+    /// Those with a highlight.
+    pub(crate) glossy: W::M,
+    /// Boundaries of clear bodies.
+    pub(crate) dielectric: W::M,
+    /// Those of bodies that split light into its colors.
+    pub(crate) disperses: W::M,
+    /// Those of facets.
+    pub(crate) rough: W::M,
+    /// Those that reflect in color.
+    pub(crate) tinted: W::M,
+    /// Those under a coat.
+    pub(crate) coated: W::M,
+}
+
+/// What surfaces send on to the viewer of light from one direction, for each unit of its power.
+#[derive(Clone, Copy)]
+pub(crate) struct BsdfValue<W: Width> {
+    /// What the ground below scatters.
+    pub(crate) diffuse: Vector<W::R>,
+    /// Phong's highlight, with k_s.
+    pub(crate) highlight: W::R,
+    /// What facets send on.
+    pub(crate) microfacets: Vector<W::R>,
+    /// All of it.
+    pub(crate) sum: Vector<W::R>,
+}
+
+/// What becomes of rays along single directions.
+#[derive(Clone, Copy)]
+pub(crate) struct BsdfDirac<W: Width> {
+    /// The directions of refracted rays.
+    pub(crate) refracted: Vector<W::R>,
+    /// Those that are not totally reflected.
+    pub(crate) passes: W::M,
+    /// What is reflected.
+    pub(crate) reflection: W::R,
+    /// What passes, of each channel.
+    pub(crate) filter: Vector<W::R>,
+}
+
+/// The surfaces that facets make up.
+#[derive(Clone, Copy)]
+pub(crate) struct Macrosurface<W: Width> {
+    normal: Vector<W::R>,
+    alpha: W::R,
+    rough: W::M,
+}
+
+/// What a body's material finds at points of its surface.
+#[derive(Clone, Copy)]
+pub(crate) struct SurfaceColors<R> {
+    /// The color C.
+    pub(crate) color: Vector<R>,
+    /// The color that light takes on its way to and fro below a coat.
+    pub(crate) ground: Vector<R>,
+}
+
+impl<W: Width> Bsdf<W> {
+    /// Surfaces that send on nothing.
+    #[inline(always)]
+    pub(crate) fn black(w: W, body: W::W, inside: W::M) -> Self {
+        let (zero, none) = (w.real(0.0), w.mask(0));
+        let nothing = Vector::new(zero, zero, zero);
+        Self {
+            body,
+            normal: nothing,
+            ambient: nothing,
+            diffuse: nothing,
+            specular: zero,
+            shininess: zero,
+            reflection: zero,
+            tint: nothing,
+            filter: nothing,
+            coat_ratio: w.real(1.0),
+            alpha: zero,
+            inside,
+            transparent: none,
+            scatters: none,
+            glossy: none,
+            dielectric: none,
+            disperses: none,
+            rough: none,
+            tinted: none,
+            coated: none,
+        }
+    }
+
+    /// Takes up the material of a body that rays `lanes` met along `direction`. The `FIRST` body may write the numbers of
+    /// all rays; others write theirs even where they are 0.
+    #[inline(always)]
+    pub(crate) fn set_material<const FULL: bool, const FIRST: bool>(
+        &mut self,
+        w: W,
+        scene: &RenderScene,
+        body: &RenderBody,
+        colors: SurfaceColors<W::R>,
+        direction: Vector<W::R>,
+        lanes: W::M,
+    ) {
+        let material = scene.material(body);
+        let select = |own: Vector<W::R>, old| if FIRST { own } else { Vector::select(lanes, own, old) };
+        let real = |own: f32, old| if FIRST { w.real(own) } else { W::R::select(lanes, w.real(own), old) };
+        let has = |coefficient: f32| coefficient != 0.0;
+        if has(material.ambient) || !FIRST {
+            let ambient = scene.ambient.map(|light| light * material.ambient);
+            self.ambient = select(colors.color.times_all(ambient), self.ambient);
+        }
+        if has(material.diffuse) || !FIRST {
+            self.diffuse = select(colors.color * w.real(material.diffuse), self.diffuse);
+        }
+        if has(material.specular) || !FIRST {
+            self.specular = real(material.specular, self.specular);
+            self.shininess = real(material.shininess, self.shininess);
+        }
+        if has(material.specular) {
+            self.glossy = self.glossy | lanes;
+        }
+        if has(material.diffuse) || has(material.specular) {
+            self.scatters = self.scatters | lanes;
+        }
+        self.reflection = real(material.reflection, self.reflection);
+        if FULL && !matches!(material.law, MaterialModel::Constant) {
+            self.add_lobes(w, material, colors, scene.ambient, direction, lanes);
+        }
+        if body.is_transparent() {
+            self.transparent = self.transparent | lanes;
+            self.filter = select(Vector::splat(w.real(0.0), material.filter), self.filter);
+        }
+    }
+
+    /// Takes up the lobes of a physical material.
+    #[cold]
+    #[inline(never)]
+    fn add_lobes(
+        &mut self,
+        w: W,
+        material: &RenderMaterial,
+        colors: SurfaceColors<W::R>,
+        ambient: [f32; 3],
+        direction: Vector<W::R>,
+        lanes: W::M,
+    ) {
+        w.run(
+            #[inline(always)]
+            || {
+                if material.alpha > 0.0 {
+                    self.rough = self.rough | lanes;
+                    self.scatters = self.scatters | lanes;
+                    self.alpha = W::R::select(lanes, w.real(material.alpha), self.alpha);
+                }
+                let cos = self.cos_to(direction);
+                material.law.add_lobes(w, self, (material, colors, ambient), cos, lanes);
+            },
+        );
+    }
+
+    /// The cosine of the angle under which rays along `direction` meet the surfaces.
+    #[inline(always)]
+    fn cos_to(&self, direction: Vector<W::R>) -> W::R {
+        let cos = -self.normal.dot(direction);
+        cos.min(cos.like(1.0)).max(cos.like(0.0))
+    }
+
+    /// Takes up what surfaces reflect in color.
+    #[inline(always)]
+    pub(crate) fn set_tint(&mut self, tint: Vector<W::R>, lanes: W::M) {
+        self.tinted = self.tinted | lanes;
+        self.tint = Vector::select(lanes, tint, self.tint);
+    }
+
+    /// What is reflected of each channel, `reflection` of those that reflect all alike.
+    #[inline(always)]
+    pub(crate) fn reflectance(&self, reflection: W::R) -> Vector<W::R> {
+        let mut reflected = Vector::new(reflection, reflection, reflection);
+        if self.tinted.any() {
+            reflected = Vector::select(self.tinted, self.tint, reflected);
+        }
+        reflected
+    }
+
+    /// Surfaces of facets of clear bodies: what they send on depends on the ratio of indices.
+    #[inline(always)]
+    pub(crate) fn rough_dielectric(&self) -> W::M {
+        self.rough & self.dielectric
+    }
+
+    /// Those of them that are seen from within.
+    #[inline(always)]
+    pub(crate) fn rough_interior(&self) -> W::M {
+        self.rough_dielectric() & self.inside
+    }
+
+    /// What surfaces send on to the viewer of light from these directions, under angles of these cosines to the normals.
+    /// `ratio` is the index on the viewer's side divided by that on the other, for [`Self::rough_dielectric`].
+    #[inline(always)]
+    pub(crate) fn eval<const FULL: bool>(
+        &self,
+        w: W,
+        scene: &RenderScene,
+        to_viewer: Vector<W::R>,
+        (to_light, cos): (Vector<W::R>, W::R),
+        ratio: W::R,
+    ) -> BsdfValue<W> {
+        let zero = w.real(0.0);
+        let diffuse = if FULL { self.eval_diffuse(cos) } else { self.diffuse * cos };
+        let nothing = Vector::new(zero, zero, zero);
+        let mut value = BsdfValue { diffuse, highlight: zero, microfacets: nothing, sum: diffuse };
+        if self.glossy.any() {
+            value.highlight =
+                self.specular * phong_highlight(to_viewer, to_light, self.normal, self.shininess);
+            value.sum = value.sum.map(|diffuse| diffuse + value.highlight);
+        }
+        if FULL && self.rough.any() {
+            value.microfacets = self.eval_microfacets(w, scene, to_viewer, to_light, ratio);
+            value.sum = value.sum + value.microfacets;
+        }
+        value
+    }
+
+    /// What the ground scatters: k_d·C·(n̂·L̂), or what a coat leaves of it.
+    #[inline(always)]
+    fn eval_diffuse(&self, cos: W::R) -> Vector<W::R> {
+        let all = self.diffuse * cos;
+        if !self.coated.any() {
+            return all;
+        }
+        let one = cos.like(1.0);
+        let passed = one - fresnel(cos.min(one).max(cos.like(0.0)), self.coat_ratio);
+        Vector::select(self.coated, all * passed, all)
+    }
+
+    /// What facets send on; nothing from smooth surfaces.
+    #[inline(never)]
+    fn eval_microfacets(
+        &self,
+        w: W,
+        scene: &RenderScene,
+        to_viewer: Vector<W::R>,
+        to_light: Vector<W::R>,
+        ratio: W::R,
+    ) -> Vector<W::R> {
+        w.run(
+            #[inline(always)]
+            || {
+                let (zero, one) = (w.real(0.0), w.real(1.0));
+                let half = (to_viewer + to_light).normalize_or(self.normal);
+                let facets = self.turned(w, scene, half, -to_viewer);
+                let mut reflection = facets.reflection;
+                let dielectric = self.rough_dielectric();
+                if dielectric.any() {
+                    let cos = half.dot(to_viewer).min(one).max(zero);
+                    reflection = W::R::select(dielectric, fresnel(cos, ratio), reflection);
+                }
+                let sent = reflected_density(to_viewer, to_light, self.normal, half, self.alpha);
+                let sent = W::R::select(self.rough, sent, zero);
+                let mut all = facets.reflectance(reflection) * sent;
+                let within = self.rough_interior();
+                if within.any() {
+                    let (sent, cos) =
+                        transmitted_density(to_viewer, to_light, self.normal, ratio, self.alpha);
+                    let sent = sent * (one - fresnel(cos, ratio));
+                    all = Vector::select(within, Vector::new(sent, sent, sent), all);
+                }
+                // With the power of a light, their product is finite.
+                all.bounded()
+            },
+        )
+    }
+
+    /// These surfaces in one sample, rough ones seen along `direction` as one of their facets, and what facets make up.
+    #[inline(never)]
+    pub(crate) fn sample_facet(
+        &self,
+        w: W,
+        scene: &RenderScene,
+        direction: Vector<W::R>,
+        sample: &Sample2D<W>,
+    ) -> (Self, Macrosurface<W>) {
+        w.run(
+            #[inline(always)]
+            || {
+                let facet = sample_visible_normal(direction, self.normal, self.alpha, sample);
+                let normal = Vector::select(self.rough, facet, self.normal);
+                let macrosurface = Macrosurface { normal: self.normal, alpha: self.alpha, rough: self.rough };
+                (self.turned(w, scene, normal, direction), macrosurface)
+            },
+        )
+    }
+
+    /// These surfaces with other normals, where they are rough: what they reflect of rays along `direction` is that of
+    /// another angle.
+    #[inline(always)]
+    fn turned(&self, w: W, scene: &RenderScene, normal: Vector<W::R>, direction: Vector<W::R>) -> Self {
+        let mut turned = Self { normal, ..*self };
+        let cos = turned.cos_to(direction);
+        let coated = self.rough & self.coated;
+        if coated.any() {
+            turned.reflection = W::R::select(coated, fresnel(cos, self.coat_ratio), self.reflection);
+        }
+        let tinted = self.rough & self.tinted;
+        if tinted.any() {
+            let mut bodies = [0; MOST_LANES];
+            self.body.store(&mut bodies);
+            let mut left = tinted.bits();
+            while left != 0 {
+                let index = bodies[left.trailing_zeros() as usize % MOST_LANES];
+                let same = self.body.is(index) & tinted;
+                left &= !same.bits();
+                if let MaterialModel::Conductor(curve) = &scene.material(scene.geometry.body(index)).law {
+                    turned.tint = Vector::select(same, conductor::reflectances(w, curve, cos), turned.tint);
+                }
+            }
+        }
+        turned
+    }
+
+    /// What becomes of rays along `direction` at the boundaries of `transparent` bodies, where the index on their side
+    /// divided by that on the other is `ratio`.
+    #[inline(always)]
+    pub(crate) fn dirac<const FULL: bool>(
+        &self,
+        w: W,
+        direction: Vector<W::R>,
+        ratio: W::R,
+        transparent: W::M,
+    ) -> BsdfDirac<W> {
+        let one = w.real(1.0);
+        let (refracted, passes) = refract(direction, self.normal, ratio);
+        let (mut reflection, mut filter) = (self.reflection, self.filter);
+        let dielectric = transparent & self.dielectric;
+        if FULL && dielectric.any() {
+            let share = fresnel(self.cos_to(direction), ratio);
+            reflection = W::R::select(dielectric, share, reflection);
+            let rest = one - share;
+            filter = Vector::select(dielectric, Vector::new(rest, rest, rest), filter);
+        }
+        // Total internal reflection: all of the light, and nothing twice.
+        reflection = W::R::select(transparent & !passes, one, reflection);
+        BsdfDirac { refracted, passes, reflection, filter }
+    }
+
+    /// The directions of reflected rays.
+    #[inline(always)]
+    pub(crate) fn mirrored(&self, direction: Vector<W::R>) -> Vector<W::R> {
+        mend_unit(reflect(direction, self.normal))
+    }
+}
+
+impl<W: Width> Macrosurface<W> {
+    /// What is left of the weight of rays that a facet sends this way, and which of them fly: none into the surface that
+    /// they should leave, or out of the one that they should enter.
+    #[inline(always)]
+    pub(crate) fn masking(
+        &self,
+        direction: Vector<W::R>,
+        is_beyond: bool,
+        weight: Vector<W::R>,
+    ) -> (Vector<W::R>, W::M) {
+        let cos = self.normal.dot(direction);
+        let cos = if is_beyond { -cos } else { cos };
+        let flies = cos.gt(cos.like(0.0));
+        let seen = W::R::select(self.rough, smith_g1(cos, self.alpha), cos.like(1.0));
+        (weight * seen, flies | !self.rough)
+    }
+}
