@@ -53,6 +53,7 @@ impl Audit {
             "generation": ray.generation,
             "wavelength_nanometers": ray.wavelength,
             "coefficient": node.coefficient.to_array(),
+            "density_per_steradian": ray.density,
             "weight": ray.weight.to_array(),
             "through": ray.through.to_array(),
             "origin": ray.origin.to_array().map(number),

@@ -206,7 +206,11 @@ impl AuditText<'_> {
             Some(nanometers) => format!(", light of {nanometers:.1} nm"),
             None => String::new(),
         };
-        self.line("way", &format!("from {origin} along {direction}, {through}{color}"));
+        let density = match node.ray.density {
+            Some(density) => format!(", chosen with a density of {} per steradian", exact(density)),
+            None => String::new(),
+        };
+        self.line("way", &format!("from {origin} along {direction}, {through}{color}{density}"));
         match node.answer() {
             Some(answer) => self.surface(node, answer),
             None => self.line("meets", &format!("nothing: the background {}", exact_color(node.ray.local))),

@@ -147,6 +147,12 @@ impl AuditLineWriter<'_> {
                 &self.texts.with("audit-wave", &[("nanometers", short(self.texts, nanometers).into())]),
             );
         }
+        if let Some(density) = node.ray.density {
+            words.push_str(", ");
+            words.push_str(
+                &self.texts.with("audit-density", &[("density", short(self.texts, density.into()).into())]),
+            );
+        }
         AuditLine::new(AuditTerm::Way, self.texts.get("audit-way")).words(words)
     }
 

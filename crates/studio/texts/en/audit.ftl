@@ -75,6 +75,7 @@ audit-reflected = Reflected
 audit-refracted = Refracted
 audit-split = is split by color into { $count } rays, the first { $ray }
 audit-wave = light of { $nanometers } nm
+audit-density = chosen with a density of { $density } per steradian
 audit-goes-on = goes on as ray { $ray }
 audit-ends-nothing = nothing, the coefficient is 0
 audit-ends-total = nothing, all light is reflected

@@ -77,6 +77,7 @@ audit-reflected = Отражённый
 audit-refracted = Преломлённый
 audit-split = разлагается по цветам, лучей: { $count }, первый из них — { $ray }
 audit-wave = свет { $nanometers } нм
+audit-density = выбран с плотностью вероятности { $density } на стерадиан
 audit-goes-on = продолжается лучом { $ray }
 audit-ends-nothing = луча нет: коэффициент равен 0
 audit-ends-total = луча нет: весь свет отражается

@@ -120,13 +120,15 @@ pub(crate) trait PathObserver<W: Width> {
     #[inline(always)]
     fn on_interface(&mut self, _crossed: InterfaceCrossing<W>) {}
 
-    /// The coefficients of rays that are refracted, before they are, if at all.
+    /// The coefficients of rays that are refracted, before they are, if at all, and the [density](crate::transport::surface::bsdf::Macrosurface::pdf) of their
+    /// directions.
     #[inline(always)]
-    fn on_refraction(&mut self, _coefficients: Vector<W::R>) {}
+    fn on_refraction(&mut self, _coefficients: Vector<W::R>, _pdf: W::R) {}
 
-    /// The coefficients of rays that are reflected, before they are, if at all.
+    /// The coefficients of rays that are reflected, before they are, if at all, and the [density](crate::transport::surface::bsdf::Macrosurface::pdf) of
+    /// their directions.
     #[inline(always)]
-    fn on_reflection(&mut self, _coefficients: Vector<W::R>) {}
+    fn on_reflection(&mut self, _coefficients: Vector<W::R>, _pdf: W::R) {}
 
     /// The share of light that the media leave on the way to what was met.
     #[inline(always)]

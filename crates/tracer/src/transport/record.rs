@@ -35,6 +35,9 @@ pub struct RayRecord {
     /// The coefficient that its parent gave it: k_r, 1 or k_t·τ, or what a law of reflection made of them; 1 for the
     /// first ray.
     pub coefficient: Vec3,
+    /// Of a ray that a facet of a rough surface sent: the probability density of its direction, for each steradian. `None`
+    /// where there was only one direction.
+    pub density: Option<f32>,
     /// How far along it from the eye it starts, meters: the primary ray of an eye that is far from all bodies starts closer
     /// to them, where single precision is finer. 0 for all others.
     pub start_distance: f64,

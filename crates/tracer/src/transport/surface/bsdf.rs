@@ -11,7 +11,7 @@ use crate::transport::sampling::Sample2D;
 use crate::transport::scene::RenderScene;
 use crate::transport::surface::material::RenderMaterial;
 use crate::transport::surface::microfacet::{
-    reflected_density, sample_visible_normal, smith_g1, transmitted_density,
+    facet_pdf, reflected_density, sample_visible_normal, smith_g1, transmitted_density,
 };
 use crate::transport::surface::model::{MaterialModel, conductor};
 use crate::transport::surface::{fresnel, mend_unit, phong_highlight, reflect, refract};
@@ -411,5 +411,138 @@ impl<W: Width> Macrosurface<W> {
         let flies = cos.gt(cos.like(0.0));
         let seen = W::R::select(self.rough, smith_g1(cos, self.alpha), cos.like(1.0));
         (weight * seen, flies | !self.rough)
+    }
+
+    /// The probability density, for each steradian, with which [`Bsdf::sample_facet`] sends on rays in `direction`; 0 where
+    /// there is only one. `beyond` is as in [`facet_pdf`].
+    #[inline(always)]
+    pub(crate) fn pdf(&self, to_viewer: Vector<W::R>, direction: Vector<W::R>, beyond: Option<W::R>) -> W::R {
+        let density = facet_pdf(to_viewer, direction, self.normal, self.alpha, beyond);
+        W::R::select(self.rough, density, density.like(0.0))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f32::consts::PI;
+
+    use catoptric_scene::Scene;
+
+    use super::*;
+    use crate::simd::scalar::ScalarWidth;
+
+    type Direction = Vector<f32>;
+
+    const NORMAL: Direction = Vector { x: 0.0, y: 0.0, z: 1.0 };
+
+    fn rough(alpha: f32, inside: bool) -> Bsdf<ScalarWidth> {
+        let black = Bsdf::black(ScalarWidth, 0, inside);
+        Bsdf { normal: NORMAL, alpha, rough: true, scatters: true, reflection: 1.0, ..black }
+    }
+
+    fn direction(cos: f32, angle: f32) -> Direction {
+        let sin = (1.0 - cos * cos).max(0.0).sqrt();
+        Vector::new(sin * angle.cos(), sin * angle.sin(), cos)
+    }
+
+    /// ∫ `value` dω over the half of all directions on the side of the normal, or on the other, by the midpoint rule.
+    fn integral(is_beyond: bool, value: impl Fn(Direction) -> f32) -> f32 {
+        const ROWS: u16 = 2000;
+        const COLUMNS: u16 = 400;
+        let mut sum = 0.0;
+        for row in 0..ROWS {
+            let cos = (f32::from(row) + 0.5) / f32::from(ROWS) * if is_beyond { -1.0 } else { 1.0 };
+            let of_row: f32 = (0..COLUMNS)
+                .map(|column| {
+                    value(direction(cos, (f32::from(column) + 0.5) * 2.0 * PI / f32::from(COLUMNS)))
+                })
+                .sum();
+            sum += f64::from(of_row);
+        }
+        (sum / f64::from(ROWS) / f64::from(COLUMNS)) as f32 * 2.0 * PI
+    }
+
+    /// The mean of `value` over samples of a facet.
+    fn mean(
+        bsdf: &Bsdf<ScalarWidth>,
+        to_viewer: Direction,
+        value: impl Fn(&Bsdf<ScalarWidth>, &Macrosurface<ScalarWidth>) -> f32,
+    ) -> f32 {
+        const ROWS: u16 = 500;
+        const COLUMNS: u16 = 500;
+        let scene = RenderScene::build(&Scene::default()).unwrap();
+        let mut sum = 0.0;
+        for row in 0..ROWS {
+            for column in 0..COLUMNS {
+                let angle = (f32::from(column) + 0.5) * 2.0 * PI / f32::from(COLUMNS);
+                let second = (f32::from(row) + 0.5) / f32::from(ROWS);
+                let sample = Sample2D { cos: angle.cos(), sin: angle.sin(), second };
+                let (facet, macrosurface) = bsdf.sample_facet(ScalarWidth, &scene, -to_viewer, &sample);
+                sum += f64::from(value(&facet, &macrosurface));
+            }
+        }
+        (sum / f64::from(ROWS) / f64::from(COLUMNS)) as f32
+    }
+
+    fn is_near(one: f32, other: f32) -> bool {
+        (one - other).abs() < 3e-3 * one.abs().max(other.abs()).max(0.1)
+    }
+
+    /// For any function of directions, its mean over samples is its integral with their density; what facets send on is
+    /// the mean of the weights of samples.
+    #[test]
+    fn samples_of_rough_mirrors_have_their_density_and_bring_what_eval_says() {
+        let scene = RenderScene::build(&Scene::default()).unwrap();
+        for (alpha, cos) in [(0.15, 0.9), (0.3, 0.5), (0.5, 1.0), (0.5, 0.3), (0.9, 0.7)] {
+            let (bsdf, to_viewer) = (rough(alpha, false), direction(cos, 0.4));
+            let surface: Macrosurface<ScalarWidth> = Macrosurface { normal: NORMAL, alpha, rough: true };
+            for test in
+                [|_: Direction| 1.0, |wi: Direction| wi.z * wi.z, |wi: Direction| (1.0 + wi.x) * (0.5 - wi.y)]
+            {
+                let sampled = mean(&bsdf, to_viewer, |facet, _| {
+                    let wi = facet.mirrored(-to_viewer);
+                    if wi.z > 0.0 { test(wi) } else { 0.0 }
+                });
+                let exact = integral(false, |wi| test(wi) * surface.pdf(to_viewer, wi, None));
+                assert!(is_near(sampled, exact), "α {alpha}, cos {cos}: {sampled}, not {exact}");
+            }
+            let weight = mean(&bsdf, to_viewer, |facet, macrosurface| {
+                let one = Vector::new(1.0, 1.0, 1.0);
+                let (weight, flies) = macrosurface.masking(facet.mirrored(-to_viewer), false, one);
+                if flies { weight.x } else { 0.0 }
+            });
+            let sent = integral(false, |wi| {
+                bsdf.eval::<true>(ScalarWidth, &scene, to_viewer, (wi, wi.z), 1.0).sum.x / PI
+            });
+            assert!(is_near(weight, sent), "α {alpha}, cos {cos}: {weight}, not {sent}");
+            assert!(weight <= 1.0 + 1e-3, "no more than all is reflected");
+        }
+    }
+
+    #[test]
+    fn samples_through_rough_glass_have_their_density_and_bring_what_eval_says() {
+        let scene = RenderScene::build(&Scene::default()).unwrap();
+        for (alpha, cos, ratio) in
+            [(0.3, 0.8, 1.0 / 1.5), (0.5, 0.5, 1.0 / 1.33), (0.4, 0.9, 1.5), (0.6, 0.6, 1.2)]
+        {
+            let bsdf = Bsdf { dielectric: true, transparent: true, ..rough(alpha, true) };
+            let to_viewer = direction(cos, 1.1);
+            let surface: Macrosurface<ScalarWidth> = Macrosurface { normal: NORMAL, alpha, rough: true };
+            let passes = mean(&bsdf, to_viewer, |facet, _| {
+                let dirac = facet.dirac::<true>(ScalarWidth, -to_viewer, ratio, true);
+                if dirac.passes && dirac.refracted.z < 0.0 { 1.0 } else { 0.0 }
+            });
+            let exact = integral(true, |wi| surface.pdf(to_viewer, wi, Some(ratio)));
+            assert!(is_near(passes, exact), "α {alpha}, cos {cos}, {ratio}: {passes}, not {exact}");
+            let weight = mean(&bsdf, to_viewer, |facet, macrosurface| {
+                let dirac = facet.dirac::<true>(ScalarWidth, -to_viewer, ratio, true);
+                let (weight, flies) = macrosurface.masking(dirac.refracted, true, dirac.filter);
+                if flies && dirac.passes { weight.x } else { 0.0 }
+            });
+            let sent = integral(true, |wi| {
+                bsdf.eval::<true>(ScalarWidth, &scene, to_viewer, (wi, wi.z), ratio).sum.x / PI
+            });
+            assert!(is_near(weight, sent), "α {alpha}, cos {cos}, {ratio}: {weight}, not {sent}");
+        }
     }
 }

@@ -79,6 +79,38 @@ pub(crate) fn transmitted_density<R: Float32>(
     (R::select(is_met, sent, zero), viewer.min(one).max(zero))
 }
 
+/// The probability density, for each steradian, of the directions in which facets send on rays of a viewer when they are
+/// chosen by [`sample_visible_normal`]: that of visible normals G₁·D·(half·Ŝ)/(n̂·Ŝ) (Dupuy, Benyoub 2023, eq. 2) by how
+/// densely directions lie to normals (Walter et al., eq. 14 and 17). `beyond` is the ratio of indices of rays that pass,
+/// the viewer's side divided by the other; `None` of those that are reflected.
+#[inline(always)]
+pub(crate) fn facet_pdf<R: Float32>(
+    to_viewer: Vector<R>,
+    direction: Vector<R>,
+    normal: Vector<R>,
+    alpha: R,
+    beyond: Option<R>,
+) -> R {
+    let [zero, one, least] = [0.0, 1.0, 1e-6].map(|value| alpha.like(value));
+    let half = match beyond {
+        None => (to_viewer + direction).normalize_or(normal),
+        Some(ratio) => (to_viewer * ratio + direction).normalize_or(normal),
+    };
+    let half = half * one.copysign(normal.dot(half));
+    let (viewer, sent) = (half.dot(to_viewer), half.dot(direction));
+    let spread = match beyond {
+        None => one * 0.25,
+        Some(ratio) => {
+            let width = ratio * viewer + sent;
+            viewer * -sent / (width * width).max(least * least)
+        }
+    };
+    let cos = normal.dot(to_viewer).max(least);
+    let density =
+        ggx_density(normal, half, alpha) * smith_g1(cos, alpha) * spread / (cos * std::f32::consts::PI);
+    R::select(viewer.gt(zero), density.max(zero), zero)
+}
+
 /// π times the density of facets with this normal (Walter et al., eq. 33).
 #[inline(always)]
 fn ggx_density<R: Float32>(normal: Vector<R>, half: Vector<R>, alpha: R) -> R {

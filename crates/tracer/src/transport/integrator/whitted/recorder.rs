@@ -30,16 +30,22 @@ use crate::transport::tile_rect::{TILE, TileRect};
 
 /// A ray that waits, and why. The heaviest goes first, of equal ones the one sent first.
 struct QueuedPath {
-    beam: PathState<ScalarWidth>,
-    kind: RayKind,
-    coefficient: Vec3,
+    sent: SentPath,
     parent: Option<usize>,
     number: usize,
 }
 
+/// A ray on its way, with what sent it.
+struct SentPath {
+    beam: PathState<ScalarWidth>,
+    kind: RayKind,
+    coefficient: Vec3,
+    density: Option<f32>,
+}
+
 impl QueuedPath {
     fn key(&self) -> (f32, usize) {
-        (self.beam.weight.largest(), self.number)
+        (self.sent.beam.weight.largest(), self.number)
     }
 }
 
@@ -80,10 +86,13 @@ struct PathRecorder<'a> {
     through_last: Vec3,
     through_all: Vec3,
     reflected: Vec3,
+    /// The densities of directions let through last and reflected.
+    through_pdf: f32,
+    reflected_pdf: f32,
     /// Whether a ray has been let through.
     has_refracted: bool,
-    /// The rays that go on, with their coefficients.
-    sent: Vec<(RayKind, Vec3, PathState<ScalarWidth>)>,
+    /// The rays that go on.
+    sent: Vec<SentPath>,
 }
 
 impl<'a> PathRecorder<'a> {
@@ -102,20 +111,29 @@ impl<'a> PathRecorder<'a> {
             through_last: Vec3::ZERO,
             through_all: Vec3::ZERO,
             reflected: Vec3::ZERO,
+            through_pdf: 0.0,
+            reflected_pdf: 0.0,
             has_refracted: false,
             sent: Vec::new(),
         }
     }
 }
 
+impl PathRecorder<'_> {
+    fn send(&mut self, kind: RayKind, (coefficient, density): (Vec3, f32), beam: PathState<ScalarWidth>) {
+        let is_rough = self.at.is_some_and(|at| at.bsdf.rough);
+        self.sent.push(SentPath { beam, kind, coefficient, density: is_rough.then_some(density) });
+    }
+}
+
 impl SecondaryRays<ScalarWidth> for PathRecorder<'_> {
     fn reflected(&mut self, beam: PathState<ScalarWidth>) {
-        self.sent.push((RayKind::Reflected, self.reflected, beam));
+        self.send(RayKind::Reflected, (self.reflected, self.reflected_pdf), beam);
     }
 
     fn refracted(&mut self, beam: PathState<ScalarWidth>) {
         self.has_refracted = true;
-        self.sent.push((RayKind::Refracted, self.through_last, beam));
+        self.send(RayKind::Refracted, (self.through_last, self.through_pdf), beam);
     }
 }
 
@@ -207,12 +225,14 @@ impl PathObserver<ScalarWidth> for PathRecorder<'_> {
         self.crossing = Some(crossed);
     }
 
-    fn on_refraction(&mut self, coefficients: Vector<f32>) {
+    fn on_refraction(&mut self, coefficients: Vector<f32>, pdf: f32) {
+        self.through_pdf = pdf;
         self.through_last = coefficients.into();
         self.through_all += self.through_last;
     }
 
-    fn on_reflection(&mut self, coefficients: Vector<f32>) {
+    fn on_reflection(&mut self, coefficients: Vector<f32>, pdf: f32) {
+        self.reflected_pdf = pdf;
         self.reflected = coefficients.into();
     }
 
@@ -256,26 +276,25 @@ impl<'a> WhittedIntegrator<'a> {
 
     fn grow(&mut self, root: PathState<ScalarWidth>, limit: usize) -> Vec<RayRecord> {
         let mut waiting = BinaryHeap::new();
-        let (kind, coefficient) = (RayKind::Primary, Vec3::ONE);
-        waiting.push(QueuedPath { beam: root, kind, coefficient, parent: None, number: 0 });
+        let sent = SentPath { beam: root, kind: RayKind::Primary, coefficient: Vec3::ONE, density: None };
+        waiting.push(QueuedPath { sent, parent: None, number: 0 });
         let mut tree: Vec<RayRecord> = Vec::new();
         let mut number = 1;
         while tree.len() < limit
-            && let Some(QueuedPath { beam, kind, coefficient, parent, .. }) = waiting.pop()
+            && let Some(QueuedPath { sent, parent, .. }) = waiting.pop()
         {
             if self.is_cancelled_at(tree.len()) {
                 break;
             }
             let place = tree.len();
-            let mut scribe = PathRecorder::new(self.shading.scene, &self.shading.media, &beam);
+            let mut scribe = PathRecorder::new(self.shading.scene, &self.shading.media, &sent.beam);
             let followed =
-                self.li::<ScalarWidth, true>(ScalarWidth, &beam, PacketSource::Anywhere, &mut scribe);
-            for (kind, coefficient, beam) in scribe.sent.drain(..) {
-                waiting.push(QueuedPath { beam, kind, coefficient, parent: Some(place), number });
+                self.li::<ScalarWidth, true>(ScalarWidth, &sent.beam, PacketSource::Anywhere, &mut scribe);
+            for sent in scribe.sent.drain(..) {
+                waiting.push(QueuedPath { sent, parent: Some(place), number });
                 number += 1;
             }
-            let ray = self.write_down(&beam, kind, parent, &followed, scribe);
-            tree.push(RayRecord { coefficient, ..ray });
+            tree.push(self.write_down(&sent, parent, &followed, scribe));
         }
         in_depth_first_order(tree)
     }
@@ -289,12 +308,12 @@ impl<'a> WhittedIntegrator<'a> {
 
     fn write_down(
         &mut self,
-        beam: &PathState<ScalarWidth>,
-        kind: RayKind,
+        sent: &SentPath,
         parent: Option<usize>,
         followed: &PacketRadiance<ScalarWidth>,
         scribe: PathRecorder<'_>,
     ) -> RayRecord {
+        let SentPath { ref beam, kind, coefficient, density } = *sent;
         let ray = beam.rays.ray();
         let bodies = self.shading.media.bodies(beam.media);
         let media = bodies.filter_map(|body| self.shading.scene.scene_index(body)).collect();
@@ -309,7 +328,8 @@ impl<'a> WhittedIntegrator<'a> {
                 .media
                 .wave(beam.media)
                 .and_then(|wave| self.shading.waves.nanometers(wave)),
-            coefficient: Vec3::ONE,
+            coefficient,
+            density,
             start_distance: 0.0,
             weight: beam.weight.into(),
             through: scribe.through.into(),

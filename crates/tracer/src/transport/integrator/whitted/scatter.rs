@@ -62,7 +62,8 @@ impl WhittedIntegrator<'_> {
             let mirrored = context.bsdf.mirrored(direction);
             (reflection, lanes) = context.masking(mirrored, false, reflection, goes_on);
         }
-        secondary.on_reflection(reflection);
+        secondary
+            .on_reflection(reflection, context.pdf(w, -direction, context.bsdf.mirrored(direction), None));
         let weight = paths.weight.times(reflection).bounded();
         let lanes = lanes & self.is_above_threshold(w, weight);
         if lanes.any() {
@@ -196,7 +197,8 @@ impl WhittedIntegrator<'_> {
             filter = Vector::select(straight, filter, left);
             lanes = flies | (lanes & straight);
         }
-        secondary.on_refraction(filter);
+        let pdf = context.pdf(w, -paths.rays.direction, refracted, Some(ratio));
+        secondary.on_refraction(filter, pdf);
         let weight = paths.weight.times(filter).bounded();
         // A ray that goes straight on is the same ray still, unless it stands still: between bodies thinner than rounding
         // it could go on for ever.
@@ -245,6 +247,15 @@ impl<W: Width> ScatterContext<'_, W> {
     #[inline(always)]
     fn reflectance<const FULL: bool>(&self, reflection: W::R) -> Vector<W::R> {
         if FULL { self.bsdf.reflectance(reflection) } else { Vector::new(reflection, reflection, reflection) }
+    }
+
+    /// The density with which facets lead to rays in `direction`, see [`Macrosurface::pdf`].
+    #[inline(always)]
+    fn pdf(&self, w: W, to_viewer: Vector<W::R>, direction: Vector<W::R>, beyond: Option<W::R>) -> W::R {
+        match &self.macrosurface {
+            None => w.real(0.0),
+            Some(macrosurface) => macrosurface.pdf(to_viewer, direction, beyond),
+        }
     }
 
     /// The coefficients and rays that are left where facets let them off.
