@@ -6,6 +6,8 @@ pub(crate) mod transmittance;
 
 use std::collections::HashMap;
 
+use foldhash::fast::FixedState;
+
 use crate::geometry::Accelerator;
 use crate::geometry::membership::{BodyMembership, MembershipSource};
 use crate::simd::vector::Vector;
@@ -29,8 +31,8 @@ pub(crate) const AIR: u32 = u32::MAX;
 pub(crate) struct MediumStacks {
     /// Each link: a body and the rest of the list.
     links: Vec<(u32, u32)>,
-    places: HashMap<(u32, u32), u32>,
-    crossings: HashMap<(u32, u32), MediumTransition>,
+    places: HashMap<(u32, u32), u32, FixedState>,
+    crossings: HashMap<(u32, u32), MediumTransition, FixedState>,
 }
 
 /// What becomes of a list at the surface of a body.

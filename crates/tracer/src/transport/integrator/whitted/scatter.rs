@@ -85,20 +85,20 @@ impl WhittedIntegrator<'_> {
         at_limit: W::M,
         secondary: &mut impl SecondaryRays<W>,
     ) {
-        let (ratio, _) = self.shading.cross_interface(w, paths.media, at.bsdf.body, at_limit);
-        // Between equal indices there is no surface that could be rough.
-        let straight = at_limit & ratio.eq(w.real(1.0));
-        if straight.any() {
-            w.run(
-                #[inline(always)]
-                || {
+        w.run(
+            #[inline(always)]
+            || {
+                let (ratio, _) = self.shading.cross_interface(w, paths.media, at.bsdf.body, at_limit);
+                // Between equal indices there is no surface that could be rough.
+                let straight = at_limit & ratio.eq(w.real(1.0));
+                if straight.any() {
                     let next = paths.generation.plus(w.word(1));
                     let bsdf = &at.bsdf;
                     let context = ScatterContext { at: &at, bsdf, macrosurface: None, next, is_last: true };
                     self.refracted::<W, FULL>(w, &paths, &context, straight, secondary);
-                },
-            );
-        }
+                }
+            },
+        );
     }
 
     /// Sends rays through clear surfaces. What is reflected from them and all others.
