@@ -15,6 +15,18 @@ pub(crate) struct Float64<const N: usize>(pub(crate) [f64; N]);
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Mask64<const N: usize>([u64; N]);
 
+impl<const N: usize> Mask64<N> {
+    /// The answers of these bits, the first the lowest.
+    #[inline(always)]
+    pub(crate) fn of_bits(bits: u32) -> Self {
+        let mut mask = [0; N];
+        for (lane, mask) in mask.iter_mut().enumerate() {
+            *mask = 0_u64.wrapping_sub(u64::from(bits >> lane & 1));
+        }
+        Self(mask)
+    }
+}
+
 macro_rules! operators {
     ($lanes:ident: $($operator:ident, $method:ident, $act:tt);*) => {$(
         impl<const N: usize> $operator for $lanes<N> {
