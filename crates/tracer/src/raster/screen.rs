@@ -255,7 +255,7 @@ impl<'a> ScreenMarcher<'a> {
             }
             let index = rows[lane] as usize * frame.width + columns[lane] as usize;
             let Some(texel) = self.buffer.texels.get(index) else { continue };
-            let Vector { x, y, z } = rays.direction;
+            let Vector { x, y, z } = &rays.direction;
             let faces_ray = exact(texel.normal).dot(DVec3::new(x.0[lane], y.0[lane], z.0[lane])) < 0.0;
             if texel.is_empty() || texel.start.body == rays.bodies[lane] || !faces_ray {
                 continue;
@@ -351,11 +351,7 @@ impl<'a> ScreenMarcher<'a> {
     #[inline(always)]
     fn pixels<const N: usize>(&self, [x, y]: [Float64<N>; 2]) -> ([u32; N], [u32; N]) {
         let [x, y] = self.within_picture([x, y]);
-        let (mut columns, mut rows) = ([0; N], [0; N]);
-        for lane in 0..N {
-            (columns[lane], rows[lane]) = (x.0[lane] as u32, y.0[lane] as u32);
-        }
-        (columns, rows)
+        (x.floor().to_words(), y.floor().to_words())
     }
 
     /// Places of the picture, counted in samples from that of the first pixel to that of the last.

@@ -69,7 +69,7 @@ impl DepthSquare {
 
 impl DepthPyramid {
     /// How many sizes of squares there are.
-    pub(crate) const LEVELS: usize = 3;
+    pub(crate) const LEVELS: usize = 4;
     /// The edge of the smallest squares is 2 to this power, pixels.
     const SMALLEST: usize = 2;
     /// The edges of squares of the next level are 2 to this power times as long.
