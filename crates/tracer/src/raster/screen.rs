@@ -103,11 +103,11 @@ impl<'a> ScreenMarcher<'a> {
         let (met, at) = self.first_met(&way, &rays, Mask64::of_bits(lanes) & way.can_be_counted());
         let ends_in_range = ends_in_range.bits();
         let mut outcomes = [MarchOutcome::LeftScreen; N];
-        for lane in 0..N {
+        for (lane, outcome) in outcomes.iter_mut().enumerate() {
             if met >> lane & 1 == 1 {
-                outcomes[lane] = MarchOutcome::Met(DVec2::new(at.x.0[lane], at.y.0[lane]));
+                *outcome = MarchOutcome::Met(DVec2::new(at.x.0[lane], at.y.0[lane]));
             } else if ends_in_range >> lane & 1 == 1 {
-                outcomes[lane] = MarchOutcome::OutOfRange;
+                *outcome = MarchOutcome::OutOfRange;
             }
         }
         outcomes
@@ -122,7 +122,7 @@ impl<'a> ScreenMarcher<'a> {
         lanes: Mask64<N>,
     ) -> (u32, ScreenMarks<N>) {
         let one = Float64([1.0; N]);
-        let mut state = MarchState { step: one, before: way.at(way.share(one - one)).depth, level: [1; N] };
+        let mut state = MarchState { step: one, before: way.at(Float64([0.0; N])).depth, level: [1; N] };
         let (mut met, mut places) = (0, way.at(one));
         let mut marching = lanes;
         loop {

@@ -34,8 +34,8 @@ impl<const N: usize> Float64<N> {
         /// 2⁵²: the last bits of larger numbers are whole ones. Vectors have no conversion that saturates.
         const WHOLE: f64 = 4_503_599_627_370_496.0;
         let mut words = [0; N];
-        for lane in 0..N {
-            words[lane] = (self.0[lane] + WHOLE).to_bits() as u32;
+        for (word, number) in words.iter_mut().zip(self.0) {
+            *word = (number + WHOLE).to_bits() as u32;
         }
         words
     }

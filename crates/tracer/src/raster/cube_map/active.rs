@@ -52,8 +52,8 @@ impl ActiveCubeMaps {
         while left != 0 {
             let body = texels[left.trailing_zeros() as usize % N].start.body;
             let mut same = 0;
-            for lane in 0..N {
-                same |= u32::from(texels[lane].start.body == body) << lane;
+            for (lane, texel) in texels.iter().enumerate() {
+                same |= u32::from(texel.start.body == body) << lane;
             }
             let same = same & left;
             left &= !same;
@@ -66,8 +66,8 @@ impl ActiveCubeMaps {
                     (points[lane], along[lane]) = (exact(texels[lane].position), exact(directions[lane]));
                 }
                 let Vector { x, y, z } = proxy.corrected_all(map.center(), vector64(points), vector64(along));
-                for lane in 0..N {
-                    directions[lane] = vector(DVec3::new(x.0[lane], y.0[lane], z.0[lane]));
+                for (lane, direction) in directions.iter_mut().enumerate() {
+                    *direction = vector(DVec3::new(x.0[lane], y.0[lane], z.0[lane]));
                 }
             }
             let mut found = [Vector { x: 0.0, y: 0.0, z: 0.0 }; N];

@@ -103,8 +103,7 @@ impl ParallaxBox {
         let (zero, infinite) = (Float64([0.0; N]), Float64([f64::INFINITY; N]));
         let mut way = infinite;
         let axes = [(origin.x, direction.x), (origin.y, direction.y), (origin.z, direction.z)];
-        for axis in 0..3 {
-            let (from, along) = axes[axis];
+        for (axis, (from, along)) in axes.into_iter().enumerate() {
             let [low, high] = [Float64([self.min[axis]; N]), Float64([self.max[axis]; N])];
             let wall = Float64::select(along.gt(zero), high, low);
             let t = (wall - from) / along;

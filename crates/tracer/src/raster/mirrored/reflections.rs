@@ -121,8 +121,8 @@ impl Reflections<'_> {
         reflected: &mut [Vector<f32>],
     ) {
         let mut texels = [&GBufferTexel::EMPTY; RAYS];
-        for lane in 0..pixels.count.min(RAYS) {
-            texels[lane] = row.get(pixels.columns[lane]).unwrap_or(&GBufferTexel::EMPTY);
+        for (texel, &column) in texels.iter_mut().zip(&pixels.columns).take(pixels.count) {
+            *texel = row.get(column).unwrap_or(&GBufferTexel::EMPTY);
         }
         let lanes = ((1_u64 << pixels.count) - 1) as u32;
         let directions = self.directions(w, texels);
@@ -169,8 +169,8 @@ impl Reflections<'_> {
                 let Vector { x, y, z } = &to_viewer;
                 let numbers =
                     [-x.0[at] as f32, -y.0[at] as f32, -z.0[at] as f32, normal.x, normal.y, normal.z];
-                for row in 0..6 {
-                    rows[row][lane] = numbers[row];
+                for (row, number) in rows.iter_mut().zip(numbers) {
+                    row[lane] = number;
                 }
             }
             let [x, y, z, normal_x, normal_y, normal_z] = &rows;

@@ -78,9 +78,9 @@ impl<const N: usize> ScreenRays<N> {
         self.count = (-(-(pixels / Float64([step_pixels; N]))).floor()).max(one);
         let most = ((size.max_element() + 2.0) / step_pixels).ceil();
         self.last = self.count.min(Float64([most; N]));
-        for axis in 0..2 {
-            let pace = sides[axis] / self.count;
-            self.pace[axis] = [pace, Float64::select(pace.eq(zero), Float64([STILL; N]), one / pace)];
+        for (side, both) in sides.into_iter().zip(&mut self.pace) {
+            let pace = side / self.count;
+            *both = [pace, Float64::select(pace.eq(zero), Float64([STILL; N]), one / pace)];
         }
     }
 
