@@ -12,6 +12,7 @@ pub(crate) mod mirrored;
 pub(crate) mod output;
 pub(crate) mod pass;
 pub(crate) mod point_shader;
+pub(crate) mod projection;
 pub(crate) mod rasterizer;
 pub(crate) mod reasons;
 pub(crate) mod sample_sums;

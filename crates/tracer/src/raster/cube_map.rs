@@ -10,38 +10,40 @@ use catoptric_scene::{Camera, Projection};
 use glam::{DVec3, Vec3};
 
 use crate::raster::error::MethodError;
+use crate::simd::scalar::ScalarWidth;
+use crate::simd::vector::Vector;
+use crate::simd::{Float as _, Float32 as _, MOST_LANES, Width, Word as _};
 use crate::transport::control::RenderControl;
 use crate::transport::counts::RayCounts;
 use crate::transport::render::{RenderSettings, render_through};
 use crate::transport::scene::RenderScene;
 
-/// A face: where it looks, and what is right and up in it.
+/// A face: where it looks, and what is up in it.
 #[derive(Clone, Copy, Debug)]
 struct CubeFaceAxes {
     forward: DVec3,
-    right: DVec3,
     up: DVec3,
 }
 
-const fn axes(forward: DVec3, right: DVec3, up: DVec3) -> CubeFaceAxes {
-    CubeFaceAxes { forward, right, up }
+const fn axes(forward: DVec3, up: DVec3) -> CubeFaceAxes {
+    CubeFaceAxes { forward, up }
 }
 
 /// The faces towards +X, -X, +Y, -Y, +Z, -Z, turned so that they join in the unfolded cube.
 const FACES: [CubeFaceAxes; 6] = [
-    axes(DVec3::X, DVec3::Z, DVec3::Y),
-    axes(DVec3::NEG_X, DVec3::NEG_Z, DVec3::Y),
-    axes(DVec3::Y, DVec3::X, DVec3::Z),
-    axes(DVec3::NEG_Y, DVec3::X, DVec3::NEG_Z),
-    axes(DVec3::Z, DVec3::NEG_X, DVec3::Y),
-    axes(DVec3::NEG_Z, DVec3::X, DVec3::Y),
+    axes(DVec3::X, DVec3::Y),
+    axes(DVec3::NEG_X, DVec3::Y),
+    axes(DVec3::Y, DVec3::Z),
+    axes(DVec3::NEG_Y, DVec3::NEG_Z),
+    axes(DVec3::Z, DVec3::Y),
+    axes(DVec3::NEG_Z, DVec3::Y),
 ];
 
-/// Where a direction meets the cube: a face, and there the numbers of pixels from its upper left corner.
-struct CubeMapPoint {
-    face: usize,
-    x: f32,
-    y: f32,
+/// Where directions meet the cube: faces, and there the numbers of pixels from the upper left corner.
+struct CubeMapPoints<W: Width> {
+    faces: [u32; MOST_LANES],
+    x: W::R,
+    y: W::R,
 }
 
 /// The light that comes to a point from all directions, in linear light.
@@ -120,14 +122,47 @@ impl CubeMap {
 
     /// The light that comes from this direction (of any length above 0), interpolated between the four pixels around.
     pub fn light(&self, direction: Vec3) -> Vec3 {
-        let CubeMapPoint { face, x, y } = self.spot(direction);
+        let mut light = [Vec3::ZERO.into()];
+        self.light_all(ScalarWidth, &[direction.into()], &mut light);
+        light[0].into()
+    }
+
+    /// Writes the light that comes from each of these directions, at most as many as `w` has lanes.
+    #[inline(always)]
+    pub(crate) fn light_all<W: Width>(&self, w: W, directions: &[Vector<f32>], light: &mut [Vector<f32>]) {
+        let mut rows = [[0.0; MOST_LANES]; 3];
+        for (lane, direction) in directions.iter().enumerate().take(W::LANES) {
+            (rows[0][lane], rows[1][lane], rows[2][lane]) = (direction.x, direction.y, direction.z);
+        }
+        let direction = Vector::new(w.load(&rows[0]), w.load(&rows[1]), w.load(&rows[2]));
+        let CubeMapPoints { faces, x, y } = self.spots(w, direction);
         // Pixels have their values at their centers.
         let (x, y) = (x - 0.5, y - 0.5);
         let (left, top) = (x.floor(), y.floor());
-        let pixel = |dx: isize, dy: isize| self.pixel(face, left as isize + dx, top as isize + dy);
-        let upper = pixel(0, 0).lerp(pixel(1, 0), x - left);
-        let lower = pixel(0, 1).lerp(pixel(1, 1), x - left);
-        upper.lerp(lower, y - top)
+        let (mut columns, mut lines) = ([0.0; MOST_LANES], [0.0; MOST_LANES]);
+        left.store(&mut columns);
+        top.store(&mut lines);
+        let mut corners = [[[0.0; MOST_LANES]; 3]; 4];
+        for lane in 0..directions.len().min(W::LANES) {
+            let (column, line) = (columns[lane] as isize, lines[lane] as isize);
+            let around = [(column, line), (column + 1, line), (column, line + 1), (column + 1, line + 1)];
+            for (corner, (column, line)) in corners.iter_mut().zip(around) {
+                let Vec3 { x, y, z } = self.pixel(faces[lane] as usize, column, line);
+                (corner[0][lane], corner[1][lane], corner[2][lane]) = (x, y, z);
+            }
+        }
+        let one = w.real(1.0);
+        let (right, below) = (x - left, y - top);
+        let mut parts = [[0.0; MOST_LANES]; 3];
+        for part in 0..3 {
+            let corner = |number: usize| w.load(&corners[number][part]);
+            let upper = corner(0) * (one - right) + corner(1) * right;
+            let lower = corner(2) * (one - right) + corner(3) * right;
+            (upper * (one - below) + lower * below).store(&mut parts[part]);
+        }
+        for (lane, light) in light.iter_mut().enumerate().take(W::LANES) {
+            *light = Vector::new(parts[0][lane], parts[1][lane], parts[2][lane]);
+        }
     }
 
     /// The unfolded cube, a cross four faces wide and three high: in the middle row the faces towards -X, -Z, +X and +Z,
@@ -146,23 +181,27 @@ impl CubeMap {
         })
     }
 
-    /// Where a direction meets the cube: on the face of its largest component.
-    fn spot(&self, direction: Vec3) -> CubeMapPoint {
-        let sides = direction.abs();
-        let axis = if sides.x >= sides.y.max(sides.z) {
-            0
-        } else if sides.z >= sides.y {
-            2
-        } else {
-            1
+    /// Where directions meet the cube: each on the face of its largest component, with the axes of [`FACES`].
+    #[inline(always)]
+    fn spots<W: Width>(&self, w: W, direction: Vector<W::R>) -> CubeMapPoints<W> {
+        let Vector { x, y, z } = direction;
+        let (zero, one) = (w.real(0.0), w.real(1.0));
+        let is_x = x.abs().ge(y.abs().max(z.abs()));
+        let is_z = !is_x & z.abs().ge(y.abs());
+        let forward = W::R::select(is_x, x, W::R::select(is_z, z, y));
+        let backward = forward.lt(zero);
+        let sign = W::R::select(backward, -one, one);
+        let right = W::R::select(is_x, z * sign, W::R::select(is_z, -x * sign, x));
+        let up = W::R::select(is_x | is_z, y, z * sign);
+        let size = w.real(self.size as f32);
+        let place = |side: W::R| {
+            let place = (side / forward.abs() + 1.0) * (0.5 * self.size as f32);
+            W::R::select(place.ge(zero), place.min(size), zero)
         };
-        let face = 2 * axis + usize::from(direction[axis] < 0.0);
-        let axes = FACES[face];
-        let along = |unit: DVec3| direction.dot(unit.as_vec3());
-        let depth = along(axes.forward);
-        let place = |side: f32| 0.5 * self.size as f32 * (side / depth + 1.0);
-        let within = |place: f32| if place >= 0.0 { place.min(self.size as f32) } else { 0.0 };
-        CubeMapPoint { face, x: within(place(along(axes.right))), y: within(place(-along(axes.up))) }
+        let axis = W::W::select(is_x, w.word(0), W::W::select(is_z, w.word(4), w.word(2)));
+        let mut faces = [0; MOST_LANES];
+        axis.or(W::W::select(backward, w.word(1), w.word(0))).store(&mut faces);
+        CubeMapPoints { faces, x: place(right), y: place(-up) }
     }
 
     /// The place of a pixel; those of the border are -1 and `size`.

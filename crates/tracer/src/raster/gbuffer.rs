@@ -1,7 +1,7 @@
 //! The geometry buffer: for each pixel the point that it shows, and how it is lit (Saito, Takahashi 1990).
 
+pub(crate) mod depth_pyramid;
 pub(crate) mod first_hits;
-pub(crate) mod min_depth;
 
 use catoptric_picture::{Picture, SizeError};
 use glam::DVec2;
@@ -9,8 +9,8 @@ use glam::DVec2;
 use crate::geometry::body::SurfacePoint;
 use crate::geometry::ray::{NO_BODY, Ray, RayOrigin};
 use crate::raster::error::MethodError;
+use crate::raster::gbuffer::depth_pyramid::DepthPyramid;
 use crate::raster::gbuffer::first_hits::find_first_hits;
-use crate::raster::gbuffer::min_depth::MinDepthGrid;
 use crate::raster::point_shader::{PointShader, color_at, exact, vector};
 use crate::raster::sample_sums::FrameSize;
 use crate::simd::vector::Vector;
@@ -108,7 +108,7 @@ pub(crate) struct GBuffer {
     /// Where the sample lies in its pixel.
     pub(crate) offset: DVec2,
     pub(crate) texels: Vec<GBufferTexel>,
-    pub(crate) fronts: MinDepthGrid,
+    pub(crate) depths: DepthPyramid,
     /// The local terms.
     pub(crate) lit: Vec<Vector<f32>>,
     /// What reflected rays brought.
@@ -121,7 +121,7 @@ impl GBuffer {
             frame,
             offset: sample_offset(0),
             texels: frame.buffer(GBufferTexel::EMPTY)?,
-            fronts: MinDepthGrid::new(frame)?,
+            depths: DepthPyramid::new(frame),
             lit: frame.buffer(NOTHING)?,
             reflected: frame.buffer(NOTHING)?,
         })

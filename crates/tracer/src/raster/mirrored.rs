@@ -1,9 +1,11 @@
 //! `ssr` and `cube-map`: traced points with their local light, and one reflection that is not traced.
 
+pub(crate) mod reflections;
+
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use glam::DVec3;
+use rayon::prelude::*;
 
 use crate::geometry::ray::NO_BODY;
 use crate::raster::cube_map::active::ActiveCubeMaps;
@@ -11,11 +13,11 @@ use crate::raster::cube_map::cache::{CubeMapUse, CubeMaps};
 use crate::raster::cube_map::proxy::ParallaxBox;
 use crate::raster::error::MethodError;
 use crate::raster::gbuffer::{GBuffer, GBufferTexel};
+use crate::raster::mirrored::reflections::{ReflectionKernel, Reflections};
 use crate::raster::output::{FirstSampleBuffers, MethodOutput};
 use crate::raster::pass::PassName;
-use crate::raster::point_shader::{exact, reflection_of, vector};
+use crate::raster::point_shader::reflection_of;
 use crate::raster::sample_sums::{FrameSize, PassTimer, SampleSums};
-use crate::raster::screen::{MarchOutcome, ScreenMarcher};
 use crate::raster::settings::{CubeMapSettings, SsrFallback, SsrSettings};
 use crate::transport::camera::RenderCamera;
 use crate::transport::control::RenderControl;
@@ -70,15 +72,9 @@ pub(crate) fn draw(
         }
         clock.time(PassName::Reflect, || {
             if mirrors.screen.is_some() {
-                buffer.fronts.find(&buffer.texels);
+                buffer.depths.find(&buffer.texels);
             }
-            reflect(scene, camera, mirrors, &mut buffer, &maps, control)?;
-            let both = canvas.sums().iter_mut().zip(buffer.lit.iter().zip(&buffer.reflected));
-            for ((sum, (lit, reflected)), texel) in both.zip(&buffer.texels) {
-                let share = reflecting(scene, texel).unwrap_or(0.0);
-                *sum += exact(*lit + *reflected * share);
-            }
-            Ok::<(), MethodError>(())
+            reflect((scene, camera), mirrors, &mut buffer, &maps, &mut canvas, control)
         })?;
     }
     let picture = canvas.picture(samples)?;
@@ -127,39 +123,25 @@ fn take_maps(
     Ok(counts)
 }
 
-/// Finds what each reflected ray brings.
+/// Finds what each reflected ray brings, and adds the light of the pixels to the picture.
 fn reflect(
-    scene: &RenderScene,
-    camera: &RenderCamera,
+    (scene, camera): (&RenderScene, &RenderCamera),
     mirrors: ReflectionSources<'_>,
     buffer: &mut GBuffer,
     maps: &ActiveCubeMaps,
+    canvas: &mut SampleSums,
     control: &RenderControl,
 ) -> Result<(), MethodError> {
-    let frame = buffer.frame;
+    let width = buffer.frame.width;
     let mut reflected = std::mem::take(&mut buffer.reflected);
-    let shown = &*buffer;
-    let screen = mirrors.screen.map(|settings| ScreenMarcher { buffer: shown, camera, settings });
-    let find = |texel: &GBufferTexel| {
-        let direction = texel.reflected(camera);
-        let met = screen.as_ref().and_then(|screen| match screen.march(texel, exact(direction)) {
-            MarchOutcome::Met(at) => Some(screen.light(at)),
-            MarchOutcome::LeftScreen | MarchOutcome::OutOfRange => None,
-        });
-        met.or_else(|| maps.light(texel, direction)).unwrap_or_else(|| scene.sky.along(direction))
-    };
-    let done = frame.each_row(
-        &mut reflected,
-        control,
-        || (),
-        |(), y, row| {
-            for (found, texel) in row.iter_mut().zip(shown.texels.iter().skip(y * frame.width)) {
-                let reflects = reflecting(scene, texel).is_some();
-                *found = if reflects { find(texel) } else { vector(DVec3::ZERO) };
-            }
-            RayCounts::default()
-        },
-    );
+    let reflections = Reflections::new((scene, camera), mirrors, buffer, maps);
+    let rows = reflected.par_chunks_mut(width).zip(canvas.sums().par_chunks_mut(width)).enumerate();
+    rows.for_each(|(row, (reflected, sums))| {
+        if !control.is_cancelled() {
+            scene.lanes.run_in_few(ReflectionKernel { reflections: &reflections, row, reflected, sums });
+            control.add_pixels(width as u64);
+        }
+    });
     buffer.reflected = reflected;
-    done.map(|_| ())
+    if control.is_cancelled() { Err(MethodError::Cancelled) } else { Ok(()) }
 }

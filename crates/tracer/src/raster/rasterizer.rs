@@ -9,9 +9,9 @@ use std::ops::Range;
 
 use glam::{DVec2, DVec3};
 
+use crate::raster::projection::HomogeneousPoint;
 use crate::raster::sample_sums::FrameSize;
 use crate::simd::vector::Vector;
-use crate::transport::camera::HomogeneousPoint;
 
 /// A corner of a face, with what is interpolated across the face.
 #[derive(Clone, Copy, Debug)]

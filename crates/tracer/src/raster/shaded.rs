@@ -13,6 +13,7 @@ use crate::raster::error::MethodError;
 use crate::raster::output::{FirstSampleBuffers, MethodOutput};
 use crate::raster::pass::PassName;
 use crate::raster::point_shader::{DirectLight, PointShader, ShadingPoint, color_of, exact, vector};
+use crate::raster::projection::ScreenProjection;
 use crate::raster::rasterizer::Fragment;
 use crate::raster::sample_sums::{FrameSize, PassTimer, SampleSums};
 use crate::raster::settings::ShadingSettings;
@@ -44,6 +45,7 @@ pub(crate) struct ShadingJob<'a> {
     shading: ShadingFrequency,
     settings: &'a ShadingSettings,
     frame: FrameSize,
+    projection: ScreenProjection,
     control: &'a RenderControl,
 }
 
@@ -56,7 +58,8 @@ pub(crate) fn draw(
     control: &RenderControl,
 ) -> Result<MethodOutput, MethodError> {
     let frame = FrameSize::new(render)?;
-    let job = ShadingJob { scene, camera, shading, settings, frame, control };
+    let projection = ScreenProjection::new(camera, frame.size());
+    let job = ShadingJob { scene, camera, shading, settings, frame, projection, control };
     let samples = render.samples.max(1);
     control.expect(2 * frame.pixels() as u64 * u64::from(samples));
     let mut canvas = SampleSums::new(frame)?;

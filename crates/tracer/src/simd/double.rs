@@ -15,6 +15,32 @@ pub(crate) struct Float64<const N: usize>(pub(crate) [f64; N]);
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Mask64<const N: usize>([u64; N]);
 
+impl<const N: usize> Mask64<N> {
+    /// The answers of these bits, the first the lowest.
+    #[inline(always)]
+    pub(crate) fn of_bits(bits: u32) -> Self {
+        let mut mask = [0; N];
+        for (lane, mask) in mask.iter_mut().enumerate() {
+            *mask = 0_u64.wrapping_sub(u64::from(bits >> lane & 1));
+        }
+        Self(mask)
+    }
+}
+
+impl<const N: usize> Float64<N> {
+    /// Whole numbers from 0 to 2³² - 1 as words.
+    #[inline(always)]
+    pub(crate) fn to_words(self) -> [u32; N] {
+        /// 2⁵²: the last bits of larger numbers are whole ones. Vectors have no conversion that saturates.
+        const WHOLE: f64 = 4_503_599_627_370_496.0;
+        let mut words = [0; N];
+        for (word, number) in words.iter_mut().zip(self.0) {
+            *word = (number + WHOLE).to_bits() as u32;
+        }
+        words
+    }
+}
+
 macro_rules! operators {
     ($lanes:ident: $($operator:ident, $method:ident, $act:tt);*) => {$(
         impl<const N: usize> $operator for $lanes<N> {

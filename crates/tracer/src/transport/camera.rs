@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use catoptric_scene::{Body, Camera, Projection};
-use glam::{DVec2, DVec3, DVec4, Vec3};
+use glam::{DVec2, DVec3, Vec3};
 
 use crate::geometry::bounds::Bounds;
 use crate::geometry::ray::Ray;
@@ -176,19 +176,13 @@ impl RenderCamera {
         (depth > 0.0 && at.is_finite()).then_some((at, depth))
     }
 
-    /// Where a point of the space of the rays (w = 1) or a direction (w = 0) lies in a picture of `size` pixels, in homogeneous
-    /// coordinates: (x·w', y·w', w'), and its depth. All four are linear, before the eye and behind it; w' is the depth
-    /// for a perspective and w for a parallel projection.
-    pub(crate) fn homogeneous(&self, point: DVec4, size: DVec2) -> HomogeneousPoint {
-        let offset = point.truncate() - point.w * self.position;
-        let depth = -offset.dot(self.w);
-        let (scale, w) = match self.window {
-            ImagePlane::Perspective { distance } => (distance, depth),
-            ImagePlane::Parallel { height } => (height.recip(), point.w),
-        };
-        let on_window = DVec2::new(offset.dot(self.u), -offset.dot(self.v));
-        let at = scale * size.y * on_window + 0.5 * w * size;
-        HomogeneousPoint { at: at.extend(w), depth }
+    /// What lengths across the view are multiplied with to get parts of the picture's height: for a perspective at a
+    /// depth of 1.
+    pub(crate) fn magnification(&self) -> f64 {
+        match self.window {
+            ImagePlane::Perspective { distance } => distance,
+            ImagePlane::Parallel { height } => height.recip(),
+        }
     }
 
     /// How far a point lies in front of the eye, along the middle of the view, meters.
@@ -236,15 +230,6 @@ impl RenderCamera {
     pub fn eye(&self) -> Option<Vector<f32>> {
         matches!(self.window, ImagePlane::Perspective { .. }).then(|| self.position.as_vec3().into())
     }
-}
-
-/// A point or direction as a picture has it; see [`RenderCamera::homogeneous`].
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct HomogeneousPoint {
-    /// x·w, y·w (pixels from the upper left corner) and w.
-    pub at: DVec3,
-    /// Along the view, meters.
-    pub depth: f64,
 }
 
 /// The rays through a small part of the picture: one, computed in double precision, and the small difference of the

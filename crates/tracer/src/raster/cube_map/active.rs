@@ -8,7 +8,9 @@ use glam::DVec3;
 use crate::raster::cube_map::CubeMap;
 use crate::raster::cube_map::proxy::ParallaxBox;
 use crate::raster::gbuffer::GBufferTexel;
-use crate::raster::point_shader::exact;
+use crate::raster::point_shader::{exact, vector};
+use crate::raster::projection::vector64;
+use crate::simd::Width;
 use crate::simd::vector::Vector;
 
 /// The cube maps that a picture uses, by the bodies' places in the scene, and the boxes of their corrections.
@@ -36,8 +38,48 @@ impl ActiveCubeMaps {
         Some((corrected, map))
     }
 
-    /// What the map of its body shows to a reflected ray.
-    pub(crate) fn light(&self, texel: &GBufferTexel, direction: Vector<f32>) -> Option<Vector<f32>> {
-        self.looked_up(texel, direction).map(|(direction, map)| map.light(direction.as_vec3()).into())
+    /// Writes what the maps of their bodies show to reflected rays of `lanes`; which of them have a map.
+    #[inline(always)]
+    pub(crate) fn light_all<W: Width, const N: usize>(
+        &self,
+        w: W,
+        texels: [&GBufferTexel; N],
+        directions: &[Vector<f32>; N],
+        lanes: u32,
+        light: &mut [Vector<f32>; N],
+    ) -> u32 {
+        let (mut left, mut mapped) = (lanes, 0);
+        while left != 0 {
+            let body = texels[left.trailing_zeros() as usize % N].start.body;
+            let mut same = 0;
+            for (lane, texel) in texels.iter().enumerate() {
+                same |= u32::from(texel.start.body == body) << lane;
+            }
+            let same = same & left;
+            left &= !same;
+            let Some((map, proxy)) = self.maps.get(&body) else { continue };
+            mapped |= same;
+            let mut directions = *directions;
+            if let Some(proxy) = proxy {
+                let (mut points, mut along) = ([DVec3::ZERO; N], [DVec3::ZERO; N]);
+                for lane in 0..N {
+                    (points[lane], along[lane]) = (exact(texels[lane].position), exact(directions[lane]));
+                }
+                let Vector { x, y, z } = proxy.corrected_all(map.center(), vector64(points), vector64(along));
+                for (lane, direction) in directions.iter_mut().enumerate() {
+                    *direction = vector(DVec3::new(x.0[lane], y.0[lane], z.0[lane]));
+                }
+            }
+            let mut found = [Vector { x: 0.0, y: 0.0, z: 0.0 }; N];
+            for (directions, found) in directions.chunks(W::LANES).zip(found.chunks_mut(W::LANES)) {
+                map.light_all(w, directions, found);
+            }
+            for lane in 0..N {
+                if same >> lane & 1 == 1 {
+                    light[lane] = found[lane];
+                }
+            }
+        }
+        mapped
     }
 }

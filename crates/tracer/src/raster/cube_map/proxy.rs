@@ -4,6 +4,10 @@ use glam::{DVec3, Vec3};
 
 use crate::geometry::bounds::Bounds;
 use crate::geometry::shape::ShapeKind;
+use crate::raster::projection::vector64;
+use crate::simd::Float as _;
+use crate::simd::double::Float64;
+use crate::simd::vector::Vector;
 use crate::transport::scene::RenderScene;
 
 /// The point around which the map of a body is made, meters: the middle of the body; of a plane, the point below (or
@@ -84,14 +88,29 @@ impl ParallaxBox {
     /// The direction from `center` to where a ray leaves the box; the ray's own if it starts outside of the box or leaves
     /// through an open side.
     pub(crate) fn corrected(&self, center: DVec3, origin: DVec3, direction: DVec3) -> DVec3 {
-        let mut way = f64::INFINITY;
-        for axis in 0..3 {
-            let wall = if direction[axis] > 0.0 { self.max[axis] } else { self.min[axis] };
-            if direction[axis] != 0.0 {
-                way = way.min((wall - origin[axis]) / direction[axis]);
-            }
+        let Vector { x, y, z } = self.corrected_all(center, vector64([origin]), vector64([direction]));
+        DVec3::new(x.0[0], y.0[0], z.0[0])
+    }
+
+    /// As [`Self::corrected`], for rays side by side.
+    #[inline(always)]
+    pub(crate) fn corrected_all<const N: usize>(
+        &self,
+        center: DVec3,
+        origin: Vector<Float64<N>>,
+        direction: Vector<Float64<N>>,
+    ) -> Vector<Float64<N>> {
+        let (zero, infinite) = (Float64([0.0; N]), Float64([f64::INFINITY; N]));
+        let mut way = infinite;
+        let axes = [(origin.x, direction.x), (origin.y, direction.y), (origin.z, direction.z)];
+        for (axis, (from, along)) in axes.into_iter().enumerate() {
+            let [low, high] = [Float64([self.min[axis]; N]), Float64([self.max[axis]; N])];
+            let wall = Float64::select(along.gt(zero), high, low);
+            let t = (wall - from) / along;
+            way = Float64::select(along.eq(zero), way, t.min(way));
         }
-        if way >= 0.0 && way.is_finite() { origin + way * direction - center } else { direction }
+        let leaves = way.ge(zero) & way.lt(infinite);
+        Vector::select(leaves, origin + direction * way - vector64([center; N]), direction)
     }
 }
 

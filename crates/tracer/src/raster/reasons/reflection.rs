@@ -6,7 +6,7 @@ use crate::geometry::ray::Ray;
 use crate::raster::cube_map::active::ActiveCubeMaps;
 use crate::raster::gbuffer::{GBuffer, GBufferTexel, seen};
 use crate::raster::mirrored::reflecting;
-use crate::raster::point_shader::{exact, vector};
+use crate::raster::point_shader::vector;
 use crate::raster::reasons::reference_pixel::{PixelParts, ReferencePixel};
 use crate::raster::reasons::{Reason, ReasonInput, largest};
 use crate::raster::screen::{MarchOutcome, ScreenMarcher};
@@ -42,8 +42,8 @@ impl ReasonInput<'_> {
     ) -> Option<Reason> {
         let parts = witness.parts(ray)?;
         let had = MethodReflection::of(self, buffer, pixel)?;
-        let screen = ScreenMarcher { buffer, camera: self.camera, settings: how };
-        let fate = screen.march(had.texel, exact(had.texel.reflected(self.camera)));
+        let screen = ScreenMarcher::new(buffer, self.camera, how);
+        let fate = screen.march(had.texel, had.texel.reflected(self.camera));
         // A cube map shows the reflections of what is reflected, too.
         let is_mapped =
             !matches!(fate, MarchOutcome::Met(_)) && matches!(how.fallback, SsrFallback::CubeMap(_));
@@ -77,17 +77,17 @@ impl ReasonInput<'_> {
                 Reason::Parallax
             });
         };
-        if f64::from(hit.hit.t) > screen.settings.range {
+        if f64::from(hit.hit.t) > screen.settings().range {
             return Some(Reason::OutOfRange);
         }
-        let at = match self.visibility(witness, &hit, screen.settings.thickness) {
+        let at = match self.visibility(witness, &hit, screen.settings().thickness) {
             Ok(at) => at,
             Err(reason) => return Some(reason),
         };
         let MarchOutcome::Met(met) = fate else { return Some(Reason::Step) };
         /// Pixels: within so much a hit is the right one, found a little beside.
         const BESIDE: f64 = 2.0;
-        if met.distance(at) > BESIDE * screen.settings.step_pixels.max(1.0) {
+        if met.distance(at) > BESIDE * screen.settings().step_pixels.max(1.0) {
             return Some(Reason::Thickness);
         }
         // The right point: is it lit otherwise for the eye than for the mirror?

@@ -139,7 +139,7 @@ fn place(shading: ShadingFrequency, number: usize, face: &WorldFace, corner: usi
 }
 
 fn corner(job: &ShadingJob<'_>, vertex: &WorldVertex, values: [Vector<f32>; 2]) -> TriangleCorner {
-    let seen = job.camera.homogeneous(vertex.position.extend(1.0), job.frame.size());
+    let seen = job.projection.point(vertex.position);
     TriangleCorner { seen, in_body: vertex.in_body, values }
 }
 
