@@ -6,8 +6,8 @@ use std::process::Command;
 use anyhow::{Context as _, Result};
 
 use crate::packages;
-use crate::root;
-use crate::shell::{self, command, exists};
+use xtask::root;
+use xtask::shell::{self, command, exists};
 
 /// Runs everything and says what had to be skipped.
 pub(crate) fn run() -> Result<()> {

@@ -5,8 +5,7 @@ mod source;
 use std::path::Path;
 
 use anyhow::{Context as _, Result, ensure};
-
-use crate::shell::{self, command, exists};
+use xtask::shell::{self, command, exists};
 
 pub(crate) use source::source;
 

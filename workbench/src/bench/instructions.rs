@@ -1,12 +1,12 @@
 //! Instructions for a ray: a figure that does not depend on what else the machine does.
 
 use anyhow::{Context as _, Result};
+use xtask::root;
+use xtask::shell::{self, command, exists};
 
 use super::folder;
 use super::programs::{RenderStats, program, render_arguments};
 use crate::povray::PovrayTask;
-use crate::root;
-use crate::shell::{self, command, exists};
 
 /// Samples of a pixel in the two runs whose difference is the tracing alone.
 const SAMPLES: [u32; 2] = [1, 4];

@@ -3,12 +3,12 @@
 use std::path::Path;
 
 use anyhow::{Context as _, Result};
+use xtask::shell::{self, command};
 
 use super::case::Case;
 use super::programs::program;
 use super::report::{cells, table};
 use super::{BenchArguments, folder};
-use crate::shell::{self, command};
 
 /// A number of threads, and the milliseconds of a picture with so many.
 #[derive(Clone, Copy, Debug, PartialEq)]

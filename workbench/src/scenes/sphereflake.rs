@@ -94,7 +94,7 @@ mod tests {
     use catoptric_scene::load;
 
     use super::*;
-    use crate::root;
+    use xtask::root;
 
     #[test]
     fn four_levels_are_the_reference() {

@@ -9,8 +9,8 @@ use catoptric_scene::Example;
 use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, render};
 use clap::Args;
 use jpeg_encoder::{ColorType, Encoder, SamplingFactor};
+use xtask::root;
 
-use crate::root;
 use crate::sheet::Sheet;
 
 #[derive(Debug, Args)]

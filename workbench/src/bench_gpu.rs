@@ -4,10 +4,10 @@ use anyhow::Result;
 use catoptric_lab::cloud::cloud;
 use catoptric_scene::{Scene, load, save, write};
 use clap::Args;
+use xtask::root;
+use xtask::shell::{self, command};
 
-use crate::root;
 use crate::scenes::sphereflake;
-use crate::shell::{self, command};
 
 #[derive(Debug, Args)]
 pub(crate) struct BenchGpuArguments {

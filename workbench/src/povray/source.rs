@@ -185,7 +185,7 @@ mod tests {
 
     use super::*;
     use crate::povray::{PovrayTask, trace};
-    use crate::root;
+    use xtask::root;
 
     fn reference(file: &str) -> PathBuf {
         root().join("tests/reference").join(file)

@@ -12,9 +12,10 @@ mod series;
 
 use anyhow::{Result, bail};
 use clap::{Args, ValueEnum};
+use xtask::root;
+use xtask::shell::{self, command};
 
-use crate::shell::{self, command};
-use crate::{povray, root};
+use crate::povray;
 use case::{CASES, Case};
 use programs::OtherRenderer;
 

@@ -5,9 +5,8 @@ use std::process::{Child, Command, Stdio};
 
 use anyhow::{Context as _, Result, bail};
 use clap::Args;
-
-use crate::root;
-use crate::shell::{self, command};
+use xtask::root;
+use xtask::shell::{self, command};
 
 #[derive(Debug, Args)]
 pub(crate) struct ScreenshotArguments {

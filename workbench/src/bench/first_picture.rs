@@ -3,12 +3,12 @@
 use std::time::Instant;
 
 use anyhow::Result;
+use xtask::root;
+use xtask::shell::{self, command};
 
 use super::folder;
 use super::programs::program;
 use super::series::TimeSeries;
-use crate::root;
-use crate::shell::{self, command};
 
 /// Runs the program from its start to the PNG file of `whitted` at 1280×720 with two threads.
 pub(super) fn measure(runs: usize) -> Result<String> {

@@ -7,8 +7,7 @@ use anyhow::{Context as _, Result, ensure};
 use catoptric_picture::Picture;
 use catoptric_tracer::raster::MethodKind;
 use clap::Args;
-
-use crate::{root, shell};
+use xtask::{root, shell};
 
 /// Folders whose scenes are drawn. Fewer scenes than this mean that a folder was not found whole.
 const FOLDERS: [&str; 3] = ["crates/scene/examples", "tests/reference", "tests/mitsuba"];

@@ -5,11 +5,11 @@ use std::str::FromStr;
 
 use anyhow::{Context as _, Result};
 use serde_json::Value;
+use xtask::root;
+use xtask::shell::{self, command};
 
 use super::case::CaseFiles;
 use crate::povray::PovrayTask;
-use crate::root;
-use crate::shell::{self, command};
 
 /// What our program says of a render.
 #[derive(Clone, Copy, Debug, PartialEq)]

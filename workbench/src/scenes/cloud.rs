@@ -27,7 +27,7 @@ mod tests {
     use glam::DVec3;
 
     use super::*;
-    use crate::root;
+    use xtask::root;
 
     #[test]
     fn a_cloud_is_a_valid_scene_and_always_the_same() {

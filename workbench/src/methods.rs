@@ -7,9 +7,9 @@ use catoptric_tracer::raster::{
     CubeMapSettings, GBufferLayer, Method, MethodKind, MethodOutput, ShadingSettings, SsrSettings, draw,
 };
 use catoptric_tracer::{RenderControl, RenderScene, RenderSettings};
+use xtask::root;
 
 use crate::gallery::write_jpeg;
-use crate::root;
 use crate::sheet::Sheet;
 
 /// Size of each picture, and how many times smaller it is on its sheet.

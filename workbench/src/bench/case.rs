@@ -6,10 +6,12 @@ use anyhow::{Context as _, Result};
 use catoptric_files::write_bytes;
 use catoptric_lab::cloud::cloud;
 use catoptric_scene::{Scene, load, save, write};
+use xtask::root;
 
 use super::folder;
 use crate::scenes::{glass_grid, sphereflake};
-use crate::{povray, root};
+
+use crate::povray;
 
 /// A scene to measure.
 #[derive(Debug)]
