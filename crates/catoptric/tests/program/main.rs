@@ -1,0 +1,33 @@
+//! The program as its users meet it: commands, files, streams, signals, the window.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "helpers of tests may panic as tests may"
+)]
+
+mod audit;
+mod check;
+mod common;
+mod compare;
+mod control;
+mod convert;
+#[cfg(target_os = "linux")]
+mod desk;
+mod diff;
+mod examples;
+mod formats;
+#[cfg(unix)]
+mod interrupt;
+mod measure;
+#[cfg(target_os = "linux")]
+mod memory;
+mod methods;
+mod overwriting;
+mod render;
+#[cfg(unix)]
+mod streams;
+mod studio;
+#[cfg(target_os = "linux")]
+mod window;
