@@ -4,6 +4,7 @@ mod ci;
 mod dist;
 #[cfg(test)]
 mod layers;
+mod licenses;
 mod packages;
 #[cfg(test)]
 mod tidy;
@@ -17,7 +18,7 @@ Project chores
 Usage: cargo xtask COMMAND
 
   ci           The whole check: format, lints, documentation, dependencies, the README's first command, tests
-  ci --long    The same with the slow proofs and cargo-deny
+  ci --long    The same, and cargo deny
   dist         Make an archive of the program for Linux
   help         List the other commands, those of the workbench: measurements, pictures of the documents
 ";
