@@ -13,7 +13,7 @@ mod common;
 mod compare;
 mod control;
 mod convert;
-#[cfg(target_os = "linux")]
+#[cfg(all(target_os = "linux", feature = "studio"))]
 mod desk;
 mod diff;
 mod examples;
@@ -28,6 +28,7 @@ mod overwriting;
 mod render;
 #[cfg(unix)]
 mod streams;
+#[cfg(feature = "studio")]
 mod studio;
-#[cfg(target_os = "linux")]
+#[cfg(all(target_os = "linux", feature = "studio"))]
 mod window;

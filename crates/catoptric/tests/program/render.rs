@@ -97,6 +97,7 @@ fn options_change_the_picture_as_they_say() {
     }
 }
 
+#[cfg(feature = "gpu")]
 #[test]
 fn a_graphics_card_draws_the_same_picture_and_says_so() {
     let folder = Folder::new();
