@@ -2,20 +2,35 @@
 
 use std::path::PathBuf;
 use std::process::Command;
+use std::time::Instant;
 
-use anyhow::{Context as _, Result};
+use anyhow::{Context as _, Result, ensure};
+use xtask::root;
+use xtask::shell::{self, command, exists};
 
-use crate::packages;
-use crate::root;
-use crate::shell::{self, command, exists};
+use crate::{licenses, packages};
+
+/// How much is checked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Extent {
+    /// What finds nearly every fault.
+    Usual,
+    /// Also `cargo deny`, which takes minutes to build.
+    Long,
+}
+
+/// The program without what its first picture does not need.
+const SLIM: [&str; 3] = ["--release", "--locked", "--no-default-features"];
 
 /// Runs everything and says what had to be skipped.
-pub(crate) fn run() -> Result<()> {
-    let skipped = checks()?;
+pub(crate) fn run(extent: Extent) -> Result<()> {
+    let start = Instant::now();
+    let skipped = checks(extent)?;
     for reason in &skipped {
         println!("skipped: {reason}");
     }
-    println!("all checks passed{}", if skipped.is_empty() { "" } else { ", but for those skipped" });
+    let exception = if skipped.is_empty() { "" } else { ", but for those skipped" };
+    println!("all checks passed{exception}, in {}", minutes(start));
     Ok(())
 }
 
@@ -23,56 +38,83 @@ fn run_cargo(arguments: &[&str]) -> Result<()> {
     shell::run(&mut cargo(arguments))
 }
 
+/// Cargo, told to keep nothing for later builds: without that, and without debug information, everything is built
+/// sooner. All steps are told, so that they share what is built.
 fn cargo(arguments: &[&str]) -> Command {
-    command("cargo", arguments)
+    let mut command = command("cargo", arguments);
+    command.env("CARGO_INCREMENTAL", "0").env("CARGO_PROFILE_DEV_DEBUG", "false");
+    command
 }
 
 fn step(title: &str, work: impl FnOnce() -> Result<()>) -> Result<()> {
     println!("== {title}");
-    work().with_context(|| format!("{title}: failed"))
+    let start = Instant::now();
+    work().with_context(|| format!("{title}: failed"))?;
+    println!("== {title}: {}", minutes(start));
+    Ok(())
+}
+
+fn minutes(start: Instant) -> String {
+    let seconds = start.elapsed().as_secs();
+    format!("{}:{:02} min", seconds / 60, seconds % 60)
 }
 
 /// Runs all steps; returns those that could not be run, with the reason.
-fn checks() -> Result<Vec<String>> {
+fn checks(extent: Extent) -> Result<Vec<String>> {
     let mut skipped = Vec::new();
     step("format", || run_cargo(&["fmt", "--all", "--check"]))?;
+    step("dependencies", licenses::check)?;
     step("lints", || {
         run_cargo(&["clippy", "--workspace", "--all-targets", "--locked", "--", "-D", "warnings"])
+    })?;
+    step("lints without features", || {
+        let slim = ["--package", "catoptric", "--no-default-features"];
+        run_cargo(&[&["clippy", "--locked"], &slim[..], &["--", "-D", "warnings"]].concat())
     })?;
     step("documentation", || {
         let arguments = ["doc", "--workspace", "--no-deps", "--locked", "--document-private-items"];
         shell::run(cargo(&arguments).env("RUSTDOCFLAGS", "-D warnings"))
     })?;
-    match deny() {
-        Ok(program) => step("dependencies", || {
-            let program = program.to_string_lossy();
-            shell::run(&mut command(&program, &["check", "bans", "licenses", "sources"]))
-        })?,
-        Err(error) => skipped.push(format!("dependencies: cargo-deny cannot be had: {error:#}")),
-    }
+    step("the README's first command", first_command)?;
     skipped.extend(packages::provide());
-    step("tests", || run_cargo(&["test", "--workspace", "--locked"]))?;
-    step("the README's first command", || {
-        let picture = root().join("target/whitted.png");
-        let picture = picture.to_string_lossy();
-        run_cargo(&[
-            "run",
-            "--release",
-            "--locked",
-            "--",
-            "render",
-            "whitted",
-            "-o",
-            &picture,
-            "--samples",
-            "16",
-        ])
-    })?;
+    // The examples of the crates are measurements: the lints have seen them, and no test needs them linked.
+    step("tests", || run_cargo(&["test", "--workspace", "--lib", "--bins", "--tests", "--locked"]))?;
+    step("programs in the documentation", || run_cargo(&["test", "--workspace", "--doc", "--locked"]))?;
+    if extent == Extent::Long {
+        skipped.extend(deny()?);
+    }
     Ok(skipped)
 }
 
+/// Draws the picture, and asks the same program for the studio, which it does not have.
+fn first_command() -> Result<()> {
+    let picture = root().join("target/whitted.png");
+    let picture = picture.to_string_lossy();
+    let render = ["--", "render", "whitted", "-o", &picture, "--samples", "16"];
+    run_cargo(&[&["run"], &SLIM[..], &render].concat())?;
+    let output = cargo(&[&["run", "--quiet"], &SLIM[..], &["--", "studio"]].concat()).output()?;
+    let words = String::from_utf8_lossy(&output.stderr);
+    ensure!(
+        output.status.code() == Some(2) && words.contains("cargo run --release"),
+        "the program without the studio does not say how to get it: {words}"
+    );
+    Ok(())
+}
+
+/// Runs `cargo deny`; returns why it cannot be had, if so.
+fn deny() -> Result<Option<String>> {
+    match deny_program() {
+        Ok(program) => step("cargo deny", || {
+            let program = program.to_string_lossy();
+            shell::run(&mut command(&program, &["check", "bans", "licenses", "sources"]))
+        })
+        .map(|()| None),
+        Err(error) => Ok(Some(format!("cargo deny cannot be had: {error:#}"))),
+    }
+}
+
 /// The cargo-deny program: the installed one, or one built for this repository.
-fn deny() -> Result<PathBuf> {
+fn deny_program() -> Result<PathBuf> {
     if exists("cargo-deny", "--version") {
         return Ok(PathBuf::from("cargo-deny"));
     }
@@ -81,18 +123,9 @@ fn deny() -> Result<PathBuf> {
     if !program.exists() {
         println!("== cargo-deny is not installed; building it");
         let place = tools.to_string_lossy();
-        run_cargo(&[
-            "install",
-            "cargo-deny",
-            "--version",
-            "0.20.2",
-            // Built in half the time, and quick enough for one look.
-            "--debug",
-            "--locked",
-            "--quiet",
-            "--root",
-            &place,
-        ])?;
+        // A debug build takes half the time, and is quick enough for one look.
+        let version = ["cargo-deny", "--version", "0.20.2", "--debug"];
+        run_cargo(&[&["install"], &version[..], &["--locked", "--quiet", "--root", &place]].concat())?;
     }
     Ok(program)
 }

@@ -5,8 +5,8 @@ use std::path::Path;
 
 use anyhow::{Context as _, Result, ensure};
 
-use crate::root;
-use crate::shell::{self, command, exists, output};
+use xtask::root;
+use xtask::shell::{self, command, exists, output};
 
 /// Files of the repository and their places in the archive.
 const FILES: &[(&str, &str)] = &[

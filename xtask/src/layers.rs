@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-use crate::root;
 use crate::tidy::rust_files;
+use xtask::root;
 
 /// The layers, each of which may import those before it: the table in docs/dev/tracer.md.
 const LAYERS: [&str; 5] = ["simd", "geometry", "transport", "raster", "shaders"];

@@ -1,76 +1,43 @@
-//! Project chores: `cargo xtask ci`, and those that `cargo xtask help` lists.
+//! Project chores: the whole check and archives; what traces is the workbench's, a program of its own.
 
-mod bench;
-mod bench_gpu;
 mod ci;
 mod dist;
-mod gallery;
 #[cfg(test)]
 mod layers;
-mod methods;
+mod licenses;
 mod packages;
-mod povray;
-mod same;
-mod scenes;
-mod sheet;
-mod shell;
 #[cfg(test)]
 mod tidy;
-mod window;
 
-use std::path::PathBuf;
+use anyhow::{Result, bail};
+use xtask::shell::{self, command};
 
-use clap::{Parser, Subcommand};
+const HELP: &str = "\
+Project chores
 
-/// Project chores.
-#[derive(Debug, Parser)]
-#[command(name = "cargo xtask")]
-struct Arguments {
-    #[command(subcommand)]
-    chore: Chore,
-}
+Usage: cargo xtask COMMAND
 
-#[derive(Debug, Subcommand)]
-enum Chore {
-    /// The whole check: format, lints, documentation, dependencies, tests, the README's first command
-    Ci,
-    /// Render the built-in scenes into docs/gallery and the README's picture
-    Gallery(gallery::GalleryArguments),
-    /// Draw the documents' pictures of the methods
-    Methods,
-    /// Write a scene of very many bodies, for measuring
-    Cloud(scenes::CloudArguments),
-    /// Time the tracer against POV-Ray and other renderers on nine scenes, by turns
-    Bench(bench::BenchArguments),
-    /// Time the tracer on a graphics card
-    BenchGpu(bench_gpu::BenchGpuArguments),
-    /// Time how quickly the studio answers, in a real window
-    BenchStudio,
-    /// Draw the documents' pictures of the studio
-    Screenshots(window::ScreenshotArguments),
-    /// Compare the pictures of two builds of the program, bit by bit
-    Same(same::SameArguments),
-    /// Make an archive of the program for Linux
-    Dist,
-}
+  ci           The whole check: format, lints, documentation, dependencies, the README's first command, tests
+  ci --long    The same, and cargo deny
+  dist         Make an archive of the program for Linux
+  help         List the other commands, those of the workbench: measurements, pictures of the documents
+";
 
-fn main() -> anyhow::Result<()> {
-    match Arguments::parse().chore {
-        Chore::Ci => ci::run(),
-        Chore::Gallery(arguments) => gallery::run(&arguments),
-        Chore::Methods => methods::run(),
-        Chore::Cloud(arguments) => scenes::write_cloud(&arguments),
-        Chore::Bench(arguments) => bench::run(&arguments),
-        Chore::BenchGpu(arguments) => bench_gpu::run(&arguments),
-        Chore::BenchStudio => window::bench(),
-        Chore::Screenshots(arguments) => window::screenshots(&arguments),
-        Chore::Same(arguments) => same::run(&arguments),
-        Chore::Dist => dist::run(),
+fn main() -> Result<()> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    match words[..] {
+        [] | ["-h" | "--help"] => print!("{HELP}"),
+        ["ci"] => ci::run(ci::Extent::Usual)?,
+        ["ci", "--long"] => ci::run(ci::Extent::Long)?,
+        ["dist"] => dist::run()?,
+        ["ci" | "dist", ..] => bail!("wrong arguments: {}\n\n{HELP}", words.join(" ")),
+        _ => workbench(&words)?,
     }
+    Ok(())
 }
 
-/// The repository's root.
-fn root() -> PathBuf {
-    let manifest = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
-    manifest.parent().map_or(manifest.clone(), std::path::Path::to_path_buf)
+/// Builds and runs the workbench, which needs the tracer: the check starts without it.
+fn workbench(words: &[&str]) -> Result<()> {
+    shell::run(command("cargo", &["run", "--quiet", "--package", "workbench", "--"]).args(words))
 }

@@ -4,7 +4,7 @@ use std::process::Command;
 
 use anyhow::Result;
 
-use crate::shell::{self, command, exists, output};
+use xtask::shell::{self, command, exists, output};
 
 /// A display without a screen, a software driver, and what a window on X11 loads when it opens.
 const PACKAGES: &[&str] =

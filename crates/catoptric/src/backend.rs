@@ -1,14 +1,14 @@
 //! The processor or a graphics card.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-use anyhow::{Context as _, Result, anyhow, bail};
-use catoptric_gpu::{Gpu, GpuChoice, GpuError, GpuInfo};
+use anyhow::{Result, anyhow, bail};
 use catoptric_tracer::raster::{Method, MethodOutput, draw};
 use catoptric_tracer::{RenderControl, RenderScene, RenderSettings};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use crate::arguments::{Backend, BackendArguments};
+use crate::card::{self, Card, CardOutcome};
 
 /// So many threads; as many as the machine has for 0.
 pub(crate) fn threads(count: usize) -> Result<ThreadPool> {
@@ -25,7 +25,7 @@ pub(crate) fn start_threads() -> Result<()> {
 
 /// Who draws.
 pub(crate) struct Renderer {
-    gpu: Option<Gpu>,
+    card: Option<Card>,
     /// Whether the processor may draw what the card cannot.
     may_fall_back: bool,
 }
@@ -36,33 +36,32 @@ pub(crate) struct RenderedPicture {
     /// What the card worked, by its own clock.
     pub on_card: Option<Duration>,
     /// Why the processor drew it though there is a card.
-    pub fallen_back: Option<GpuError>,
+    pub fallen_back: Option<anyhow::Error>,
 }
 
 impl Renderer {
     /// Opens a card if it is wanted and there is one. Cards draw Whitted's tree, and no maps.
     pub(crate) fn chosen(arguments: &BackendArguments, method: &Method, is_map: bool) -> Result<Self> {
         let BackendArguments { backend, gpu, software_gpu } = arguments;
-        let choice = GpuChoice { software: *software_gpu, name: gpu.clone() };
         let runs_on_gpu = method.abilities().runs_on_gpu && !is_map;
-        let gpu = match backend {
+        let card = match backend {
             Backend::Cpu if gpu.is_some() || *software_gpu => {
                 bail!("--backend cpu uses no graphics card; leave out --gpu and --software-gpu")
             }
             Backend::Cpu => None,
-            Backend::Auto if runs_on_gpu && choice.is_likely() => Gpu::open(&choice).ok(),
+            Backend::Auto if runs_on_gpu && card::is_likely(arguments) => Card::open(arguments).ok(),
             Backend::Auto => None,
             Backend::Gpu if !runs_on_gpu => {
                 bail!("graphics cards draw --method whitted without --map only; use --backend cpu")
             }
-            Backend::Gpu => Some(Gpu::open(&choice).context(advice(&choice))?),
+            Backend::Gpu => Some(Card::open(arguments)?),
         };
-        Ok(Self { gpu, may_fall_back: *backend == Backend::Auto })
+        Ok(Self { card, may_fall_back: *backend == Backend::Auto })
     }
 
     /// The card, if one is open.
-    pub(crate) fn card(&self) -> Option<&GpuInfo> {
-        self.gpu.as_ref().map(Gpu::info)
+    pub(crate) fn card(&self) -> Option<&Card> {
+        self.card.as_ref()
     }
 
     /// Draws a scene.
@@ -74,33 +73,19 @@ impl Renderer {
         pool: &ThreadPool,
         control: &RenderControl,
     ) -> Result<RenderedPicture> {
-        let on_cpu = || pool.install(|| draw(render_scene, method, settings, control));
-        let Some(gpu) = &self.gpu else {
-            return Ok(RenderedPicture { drawing: on_cpu()?, on_card: None, fallen_back: None });
-        };
-        let start = Instant::now();
-        match pool
-            .install(|| catoptric_gpu::render(gpu, render_scene, render_scene.camera(), settings, control))
-        {
-            Ok(rendering) => {
-                let pass = rendering.pass;
-                let drawing = MethodOutput::traced(rendering.picture, pass.counts, start.elapsed());
-                Ok(RenderedPicture { drawing, on_card: pass.on_card, fallen_back: None })
+        let mut fallen_back = None;
+        if let Some(card) = &self.card {
+            match pool.install(|| card.draw(render_scene, settings, control))? {
+                CardOutcome::Drawn(drawing, on_card) => {
+                    return Ok(RenderedPicture { drawing, on_card, fallen_back });
+                }
+                CardOutcome::Refused(reason) if self.may_fall_back => fallen_back = Some(reason),
+                CardOutcome::Refused(reason) => {
+                    return Err(reason.context("the graphics card cannot draw this; use --backend cpu"));
+                }
             }
-            Err(error) if self.may_fall_back && !matches!(error, GpuError::Cancelled | GpuError::Size(_)) => {
-                Ok(RenderedPicture { drawing: on_cpu()?, on_card: None, fallen_back: Some(error) })
-            }
-            Err(error) => Err(error).context("the graphics card cannot draw this; use --backend cpu"),
         }
-    }
-}
-
-/// What to do when there is no card.
-fn advice(choice: &GpuChoice) -> &'static str {
-    match choice {
-        GpuChoice { software: false, .. } => {
-            "no graphics card can be used; use --backend cpu, or a driver without a card with --software-gpu"
-        }
-        GpuChoice { .. } => "no graphics driver can be used; use --backend cpu",
+        let drawing = pool.install(|| draw(render_scene, method, settings, control))?;
+        Ok(RenderedPicture { drawing, on_card: None, fallen_back })
     }
 }

@@ -9,6 +9,7 @@ pub(crate) mod examples;
 pub(crate) mod manual;
 pub(crate) mod measure;
 pub(crate) mod render;
+#[cfg_attr(not(feature = "studio"), path = "commands/no_studio.rs")]
 pub(crate) mod studio;
 
 use catoptric_scene::LoadError;

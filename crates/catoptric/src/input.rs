@@ -1,6 +1,5 @@
 //! Finding scenes by path or by name.
 
-use std::fs::File;
 use std::path::Path;
 
 use anyhow::{Result, anyhow};
@@ -58,8 +57,9 @@ pub(crate) fn scene(path: &Path, files: &mut CommandFiles) -> Result<NamedScene>
 }
 
 /// Refuses a file that cannot be read at all, as loading it would.
+#[cfg(feature = "studio")]
 pub(crate) fn check_readable(path: &Path) -> Result<()> {
-    if path.is_dir() || File::open(path).is_err() {
+    if path.is_dir() || std::fs::File::open(path).is_err() {
         load(path)?;
     }
     Ok(())

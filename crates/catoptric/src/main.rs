@@ -3,6 +3,7 @@
 mod allocator;
 mod arguments;
 mod backend;
+mod card;
 mod commands;
 mod console;
 mod files;

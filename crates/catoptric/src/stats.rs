@@ -2,10 +2,11 @@
 
 use std::time::Duration;
 
-use catoptric_gpu::GpuInfo;
 use catoptric_tracer::RayCounts;
 use catoptric_tracer::raster::{CubeMapUse, PassName};
 use serde_json::{Map, Value, json};
+
+use crate::card::Card;
 
 /// Milliseconds of each step.
 #[derive(Clone, Copy, Debug, Default)]
@@ -26,7 +27,7 @@ pub(crate) struct Stats<'a> {
     pub generations: u32,
     pub threads: usize,
     /// The card that drew, if one did.
-    pub card: Option<&'a GpuInfo>,
+    pub card: Option<&'a Card>,
     /// What the card worked, by its own clock.
     pub on_card: Option<Duration>,
     pub bodies: usize,
@@ -53,6 +54,13 @@ impl Stats<'_> {
         passes.map(|(name, time)| (name.name().to_owned(), milliseconds(*time).into())).collect()
     }
 
+    /// The card, and what it worked by its own clock.
+    fn card_to_json(&self, card: &Card) -> Value {
+        let mut described = card.to_json();
+        described["milliseconds"] = json!(self.on_card.map(milliseconds));
+        described
+    }
+
     pub(crate) fn to_json(&self) -> Value {
         let StepTimes { read, prepare, trace, develop, write } = self.times;
         let RayCounts { primary, shadow, reflected, refracted } = self.rays;
@@ -64,13 +72,7 @@ impl Stats<'_> {
             "generations": self.generations,
             "method": self.method,
             "backend": if self.card.is_some() { "gpu" } else { "cpu" },
-            "gpu": self.card.map(|card| json!({
-                "name": card.name,
-                "interface": card.interface,
-                "driver": card.driver,
-                "is_software": card.is_software,
-                "milliseconds": self.on_card.map(milliseconds),
-            })),
+            "gpu": self.card.map(|card| self.card_to_json(card)),
             "threads": self.threads,
             "bodies": self.bodies,
             "lights": self.lights,

@@ -5,10 +5,11 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests")]
 
 #[cfg(target_os = "linux")]
+#[path = "program/common.rs"]
 mod common;
 
 #[cfg(target_os = "linux")]
-#[path = "common/desk.rs"]
+#[path = "program/desk.rs"]
 mod desk;
 
 fn main() {

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests may fail like that")]
 
+#[path = "picture/samples.rs"]
 mod samples;
 
 use std::sync::Arc;

@@ -3,7 +3,7 @@
 use std::fs;
 use std::sync::Arc;
 
-use anyhow::{Context as _, Result};
+use anyhow::{Context as _, Result, bail};
 use catoptric_lab::measure::{Axis, MeasureError, MeasurePlan, measure};
 use catoptric_lab::report::{MeasurementReport, study};
 use catoptric_picture::Picture;
@@ -17,6 +17,12 @@ use crate::progress::Progress;
 use crate::{input, interrupt};
 
 pub(crate) fn run(arguments: &MeasureArguments) -> Result<CommandOutcome> {
+    if !cfg!(feature = "plots") {
+        bail!(
+            "this program is built without plots, which `measure` writes; \
+             `cargo install --path crates/catoptric` builds all of it"
+        );
+    }
     let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     let axes = Axis::read(&arguments.vary, threads).context("--vary")?;
     Picture::check_size(arguments.size.width, arguments.size.height)?;

@@ -4,7 +4,6 @@ use std::path::Path;
 use std::time::Instant;
 
 use anyhow::{Context as _, Result};
-use catoptric_gpu::GpuError;
 use catoptric_lab::depth::DepthMeasure;
 use catoptric_lab::maps::{MapKind, MapSettings, map};
 use catoptric_picture::{Development, Picture, PictureFormat, SampleDepth, SaveOptions};
@@ -226,14 +225,16 @@ fn finish(
             stats.height,
             stats.times.trace / 1e3,
             stats.mrays_per_second(),
-            stats.card.map_or_else(|| count(stats.threads, "thread", "threads"), |card| card.name.clone()),
+            stats
+                .card
+                .map_or_else(|| count(stats.threads, "thread", "threads"), |card| card.name().to_owned()),
         ));
     }
     Ok(())
 }
 
 /// Says that what was asked of a card was done without one.
-fn warn_of_fallback(reason: &GpuError) {
+fn warn_of_fallback(reason: &anyhow::Error) {
     say(&format!("warning: the processor draws instead of the graphics card: {reason}"));
 }
 

@@ -2,6 +2,7 @@
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, OnceLock};
 
 use catoptric_gpu::{Gpu, GpuChoice};
@@ -19,14 +20,26 @@ pub(crate) fn own_card(test: &str) -> Option<Arc<Gpu>> {
     }
 }
 
-/// The card that tests share.
-pub(crate) fn card(test: &str) -> Option<Arc<Gpu>> {
-    static CARD: OnceLock<Option<Arc<Gpu>>> = OnceLock::new();
-    let card = CARD.get_or_init(|| own_card("the card that tests share"));
-    if card.is_none() {
+/// How many cards tests share. A software driver compiles shaders, which takes most of the time, on one thread for each
+/// device: several devices keep several cores busy.
+const SHARED: usize = 2;
+
+/// All cards that tests share; none if there is no card.
+pub(crate) fn cards(test: &str) -> &'static [Arc<Gpu>] {
+    static CARDS: OnceLock<Vec<Arc<Gpu>>> = OnceLock::new();
+    let cards =
+        CARDS.get_or_init(|| (0..SHARED).map_while(|_| own_card("the cards that tests share")).collect());
+    if cards.is_empty() {
         let _ = writeln!(std::io::stderr().lock(), "SKIPPED: {test}: no graphics card or software driver");
     }
-    card.clone()
+    cards
+}
+
+/// One of the cards that tests share, by turns.
+pub(crate) fn card(test: &str) -> Option<Arc<Gpu>> {
+    static TURN: AtomicUsize = AtomicUsize::new(0);
+    let cards = cards(test);
+    cards.get(TURN.fetch_add(1, Ordering::Relaxed) % cards.len().max(1)).cloned()
 }
 
 pub(crate) fn stage_of(scene: &Scene) -> RenderScene {

@@ -1,11 +1,14 @@
 //! Every reference scene and every example: the same picture as the CPU's, and the same bodies in it.
 
+use std::sync::Mutex;
+
 use catoptric_gpu::{Gpu, GpuFilm, GpuScene};
 use catoptric_picture::{BitDepth, Development, Difference, Picture, write_png};
+use catoptric_scene::Scene;
 use catoptric_tracer::{NO_BODY, RayCounts, RenderControl, RenderScene, RenderSettings, render};
 use glam::DVec2;
 
-use crate::common::{all_scenes, card, stage_of};
+use crate::common::{all_scenes, card, cards, stage_of};
 
 /// Width and height of the pictures: each is traced by a software driver on a few cores.
 const SIZE: [u32; 2] = [256, 144];
@@ -88,23 +91,35 @@ pub(crate) fn apart(one: u64, other: u64) -> f64 {
 /// mirrored one.
 #[test]
 fn pictures_are_those_of_the_cpu() {
-    let Some(card) = card("pictures_are_those_of_the_cpu") else { return };
-    let mut faults = Vec::new();
-    for (name, scene) in all_scenes() {
-        let render_scene = stage_of(&scene);
-        let compared = compare(&card, &render_scene, 1);
-        faults.extend(fault(&name, &compared));
-        let (cpu, gpu) = (compared.cpu.1, compared.gpu.1);
-        assert_eq!(cpu.primary, gpu.primary);
-        for (one, other) in
-            [(cpu.shadow, gpu.shadow), (cpu.reflected, gpu.reflected), (cpu.refracted, gpu.refracted)]
-        {
-            if apart(one, other) > 0.002 {
-                faults.push(format!("{name}: rays {cpu:?} on the CPU, {gpu:?} on the GPU"));
-            }
+    let scenes = Mutex::new(all_scenes().into_iter());
+    let faults = Mutex::new(Vec::new());
+    let work = |card: &Gpu| {
+        // The lock is free while a scene is drawn.
+        while let Some((name, scene)) = { scenes.lock().unwrap().next() } {
+            let found = faults_of(card, &name, &scene);
+            faults.lock().unwrap().extend(found);
         }
-    }
+    };
+    std::thread::scope(|scope| {
+        for card in cards("pictures_are_those_of_the_cpu") {
+            scope.spawn(|| work(card));
+        }
+    });
+    let faults = faults.into_inner().unwrap();
     assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+/// What is wrong with a scene's picture on a card, and with its numbers of rays.
+fn faults_of(card: &Gpu, name: &str, scene: &Scene) -> Vec<String> {
+    let compared = compare(card, &stage_of(scene), 1);
+    let (cpu, gpu) = (compared.cpu.1, compared.gpu.1);
+    assert_eq!(cpu.primary, gpu.primary);
+    let rays = [(cpu.shadow, gpu.shadow), (cpu.reflected, gpu.reflected), (cpu.refracted, gpu.refracted)];
+    let mut faults: Vec<String> = fault(name, &compared).into_iter().collect();
+    if rays.iter().any(|&(one, other)| apart(one, other) > 0.002) {
+        faults.push(format!("{name}: rays {cpu:?} on the CPU, {gpu:?} on the GPU"));
+    }
+    faults
 }
 
 /// The mean of many samples is gathered in single precision on a card.

@@ -2,9 +2,11 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may panic as tests may")]
 
 mod audit;
+mod comparing;
 mod depth;
 mod documents;
 mod exact;
 mod maps;
+mod measuring;
 mod scenes;
 mod work;

@@ -1,4 +1,4 @@
-//! The arithmetic of spans. What the shapes make of it is proved from outside, in `tests/proof/shapes.rs`.
+//! The arithmetic of spans. What the shapes make of it is proved from outside, in `tests/tracer/proof/shapes.rs`.
 
 use super::*;
 

@@ -1,0 +1,34 @@
+//! The program as its users meet it: commands, files, streams, signals, the window.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "helpers of tests may panic as tests may"
+)]
+
+mod audit;
+mod check;
+mod common;
+mod compare;
+mod control;
+mod convert;
+#[cfg(all(target_os = "linux", feature = "studio"))]
+mod desk;
+mod diff;
+mod examples;
+mod formats;
+#[cfg(unix)]
+mod interrupt;
+mod measure;
+#[cfg(target_os = "linux")]
+mod memory;
+mod methods;
+mod overwriting;
+mod render;
+#[cfg(unix)]
+mod streams;
+#[cfg(feature = "studio")]
+mod studio;
+#[cfg(all(target_os = "linux", feature = "studio"))]
+mod window;

@@ -1,0 +1,16 @@
+//! Pictures, their files and their comparison, from outside.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "helpers of tests may panic as tests may"
+)]
+
+mod broken;
+mod comparing;
+mod files;
+mod formats;
+mod perception;
+mod reading;
+mod samples;

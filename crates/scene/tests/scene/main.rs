@@ -1,0 +1,17 @@
+//! The document and its text format, from outside.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "helpers of tests may panic as tests may"
+)]
+
+mod common;
+mod files;
+mod hints;
+mod malformed;
+mod properties;
+mod reading;
+mod schema;
+mod update;

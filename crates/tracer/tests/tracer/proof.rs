@@ -1,0 +1,25 @@
+//! The proof of the tracer: answers that are known exactly, what must not change a picture, and an independent tracer
+//! in double precision to be held against.
+
+mod absorption;
+mod coincident;
+mod common;
+mod contacts;
+mod driver;
+mod edits;
+mod extremes;
+mod film;
+mod invariance;
+mod limits;
+mod local_light;
+mod materials;
+mod media;
+mod mirrors;
+mod random;
+mod refraction;
+mod robustness;
+mod samples;
+mod shapes;
+mod spd;
+mod surroundings;
+mod trees;

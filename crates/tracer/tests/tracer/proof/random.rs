@@ -1,0 +1,129 @@
+//! Random scenes of everything against the oracle.
+
+use catoptric_scene::{
+    Anchor, Body, Checker, Color, Falloff, Material, Placement, Projection, Scene, Shape, Tracing,
+};
+use glam::DVec3;
+use proptest::prelude::*;
+use proptest::strategy::ValueTree;
+use proptest::test_runner::TestRunner;
+
+use crate::proof::common::oracle::Oracle;
+use crate::proof::common::{camera, cases, light, picture, placed, plane, scene, v};
+
+fn color() -> impl Strategy<Value = Color> {
+    prop::array::uniform3(0.1..1.0_f64).prop_map(Color::from)
+}
+
+pub(crate) fn material() -> impl Strategy<Value = Material> {
+    let opaque = (color(), 0.0..1.0_f64, 0.0..0.6_f64, 1.0..100.0_f64).prop_map(
+        |(color, diffuse, specular, shininess)| Material {
+            color,
+            diffuse,
+            specular,
+            shininess,
+            ..Material::default()
+        },
+    );
+    let checkered = (color(), color(), 0.2..1.0_f64).prop_map(|(color, other, size)| Material {
+        color,
+        checker: Some(Checker { color: other, size, ..Checker::default() }),
+        ..Material::default()
+    });
+    let clear = (color(), 0.4..1.0_f64, 0.0..0.3_f64, 0.7..2.0_f64).prop_map(
+        |(tint, transmission, reflection, ior)| Material {
+            ambient: 0.02,
+            diffuse: 0.1,
+            specular: 0.4,
+            tint,
+            transmission,
+            reflection: Some(reflection),
+            ior,
+            ..Material::default()
+        },
+    );
+    prop_oneof![3 => opaque, 1 => checkered, 2 => clear]
+}
+
+pub(crate) fn body() -> impl Strategy<Value = Body> {
+    let shape = prop_oneof![
+        (0.2..0.9_f64).prop_map(|radius| Shape::Sphere { radius }),
+        prop::array::uniform3(0.3..1.5_f64).prop_map(|size| Shape::Cube { size: size.into() }),
+        (0.2..0.7_f64, 0.4..1.6_f64).prop_map(|(radius, height)| Shape::Cylinder { radius, height }),
+        (0.2..0.8_f64, 0.5..1.6_f64).prop_map(|(radius, height)| Shape::Cone {
+            radius,
+            top_radius: 0.0,
+            height
+        }),
+        (0.2..0.8_f64, 0.1..0.8_f64, 0.5..1.6_f64).prop_map(|(radius, top_radius, height)| Shape::Cone {
+            radius,
+            top_radius,
+            height
+        }),
+    ];
+    let place = (-2.0..2.0_f64, 0.1..2.0_f64, -2.0..2.0_f64).prop_map(DVec3::from);
+    let turn = prop::array::uniform3(-180.0..180.0_f64).prop_map(DVec3::from);
+    let scale = prop_oneof![Just(DVec3::ONE), prop::array::uniform3(0.4..1.6_f64).prop_map(DVec3::from)];
+    (shape, place, turn, scale, material()).prop_map(
+        |(shape, position, rotation_degrees, scale, material)| {
+            let anchor = Anchor::Frame { position, rotation_degrees };
+            placed(shape, Placement { anchor, scale }, material)
+        },
+    )
+}
+
+fn any_scene() -> impl Strategy<Value = Scene> {
+    let falloff = prop_oneof![
+        Just(Falloff::None),
+        (0.0..2.0_f64).prop_map(|constant| Falloff::Linear { constant }),
+        Just(Falloff::InverseSquare),
+    ];
+    let lamp = (prop::array::uniform3(-6.0..6.0_f64), 0.3..1.5_f64, falloff)
+        .prop_map(|([x, y, z], intensity, falloff)| light(v(x, 1.0 + y.abs(), z), intensity, falloff));
+    let lights = prop::collection::vec(lamp, 1..4);
+    let bodies = prop::collection::vec(body(), 1..24);
+    let eye = (-4.0..4.0_f64, 0.3..4.0_f64, 4.0..7.0_f64).prop_map(DVec3::from);
+    let floor = prop::option::of(material());
+    (bodies, floor, lights, eye, any::<bool>(), color()).prop_map(
+        |(mut bodies, floor, lights, eye, is_parallel, background)| {
+            bodies.extend(floor.map(|material| plane(DVec3::ZERO, 0.0, material)));
+            let mut scene = scene(bodies);
+            scene.lights = lights;
+            scene.camera = camera(eye, v(0.0, 0.9, 0.0), 35.0);
+            if is_parallel {
+                scene.camera.projection = Projection::Parallel { height: 5.0 };
+            }
+            scene.environment.background = background;
+            scene.tracing = Tracing { generations: 5, threshold: 0.0 };
+            scene
+        },
+    )
+}
+
+const SCENES: u32 = 60;
+
+#[test]
+fn random_scenes_agree_with_the_oracle() {
+    let config = cases(SCENES);
+    let count = config.cases;
+    let mut runner = TestRunner::new(config);
+    let (mut off, mut total) = (0, 0);
+    for number in 0..count {
+        let scene = any_scene().new_tree(&mut runner).unwrap().current();
+        let (ours, truth) = (picture(&scene, 64, 48), Oracle::new(&scene, 10.0).picture(64, 48));
+        let comparison = catoptric_picture::Comparison { clamp: false, ..Default::default() };
+        let difference = comparison.compare(&ours, &truth).unwrap();
+        assert!(
+            difference.above <= 6,
+            "scene {number}: {} pixels are off, the worst at {:?} by {}\n{scene:#?}",
+            difference.above,
+            difference.worst,
+            difference.max,
+        );
+        off += difference.above;
+        total += ours.pixels().len();
+    }
+    let share = off as f64 / total as f64;
+    println!("{off} of {total} pixels of random scenes are off ({:.4} %)", 100.0 * share);
+    assert!(share < 0.0003, "{off} of {total} pixels are off");
+}

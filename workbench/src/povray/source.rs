@@ -1,0 +1,291 @@
+//! A scene in POV-Ray's language (3.7), so that an independent program can draw the same picture.
+//!
+//! POV-Ray's axes are left-handed: z is mirrored. It weakens ambient and diffuse light by the opacity of a surface,
+//! which is undone.
+
+use std::fmt::Write as _;
+
+use anyhow::{Context as _, Result, bail, ensure};
+use catoptric_scene::{
+    Body, Camera, Checker, CheckerSpace, Color, Falloff, Light, Material, Model, Projection, Scene, Shape,
+    Surroundings,
+};
+use glam::DVec3;
+
+/// Where POV-Ray's laws of falloff begin; far nearer to a light than anything that it shows.
+const TINY_DISTANCE: f64 = 0.001;
+/// From our axes to POV-Ray's, and back.
+const MIRROR: DVec3 = DVec3::new(1.0, 1.0, -1.0);
+
+/// The scene as POV-Ray's source text.
+///
+/// # Errors
+/// When the scene is not valid, or has what POV-Ray has not: a tint that is not the body's color, diffuse light on a
+/// surface without opacity.
+pub(crate) fn source(scene: &Scene) -> Result<String> {
+    let problems = scene.check();
+    ensure!(problems.is_empty(), "the scene is not valid: {problems:?}");
+    let is_even = scene.environment.surroundings == Surroundings::Even;
+    ensure!(is_even, "POV-Ray is asked for even surroundings only");
+    let mut text = String::new();
+    writeln!(text, "#version 3.7;")?;
+    writeln!(
+        text,
+        "global_settings {{ assumed_gamma 1.0 max_trace_level {} adc_bailout {} ambient_light {} }}",
+        scene.tracing.generations,
+        scene.tracing.threshold,
+        color(scene.environment.ambient)
+    )?;
+    writeln!(text, "{}", camera(&scene.camera))?;
+    writeln!(text, "background {{ {} }}", color(scene.environment.background))?;
+    for lamp in scene.lights.iter().filter(|lamp| !lamp.hidden) {
+        writeln!(text, "{}", light(lamp))?;
+    }
+    for body in scene.bodies.iter().filter(|body| !body.hidden) {
+        let material = scene.material(&body.material).context("a material that the scene has not")?;
+        let surface = surface(material).with_context(|| format!("the body {:?}", body.name))?;
+        writeln!(text, "{} {} {surface} }}", shape(body), matrix(body))?;
+    }
+    Ok(text)
+}
+
+fn camera(camera: &Camera) -> String {
+    // As in docs/en/model.md.
+    let backward = (camera.position - camera.target).normalize_or_zero();
+    let right = camera.up.cross(backward).normalize_or_zero();
+    let up = backward.cross(right);
+    let [location, direction, right, up] = [camera.position, -backward, right, up].map(mirrored);
+    match camera.projection {
+        Projection::Perspective { fov_degrees } => {
+            let distance = 0.5 / (fov_degrees.to_radians() / 2.0).tan();
+            format!(
+                "camera {{ perspective location {location} direction {direction}*{distance} \
+                 right {right}*image_width/image_height up {up} }}"
+            )
+        }
+        Projection::Parallel { height } => format!(
+            "camera {{ orthographic location {location} direction {direction} \
+             right {right}*image_width/image_height*{height} up {up}*{height} }}"
+        ),
+    }
+}
+
+/// POV-Ray's falloff is 2 / (1 + (d / f)ᵖ), f the `fade_distance` and p the `fade_power`.
+fn light(light: &Light) -> String {
+    let (factor, fade) = match light.falloff {
+        Falloff::None => (1.0, None),
+        Falloff::Linear { constant } => {
+            let distance = constant.max(TINY_DISTANCE);
+            (0.5 / distance, Some((distance, 1)))
+        }
+        Falloff::InverseSquare => (0.5 / TINY_DISTANCE.powi(2), Some((TINY_DISTANCE, 2))),
+    };
+    let [r, g, b] = light.color.to_array().map(|channel| channel * light.intensity * factor);
+    let fade = fade.map(|(distance, power)| format!(" fade_distance {distance} fade_power {power}"));
+    let color = color(Color::new(r, g, b));
+    format!("light_source {{ {} {color}{} }}", mirrored(light.position), fade.unwrap_or_default())
+}
+
+/// The beginning of a body: its shape in its own frame.
+fn shape(body: &Body) -> String {
+    let height = body.height().unwrap_or_default();
+    match body.shape {
+        Shape::Sphere { radius } => format!("sphere {{ 0, {radius}"),
+        Shape::Cube { size } => format!("box {{ {}, {}", vector(size / -2.0), vector(size / 2.0)),
+        Shape::Cylinder { radius, .. } => format!("cylinder {{ 0, <0,{height},0>, {radius}"),
+        Shape::Cone { radius, top_radius, .. } => {
+            format!("cone {{ 0, {radius}, <0,{height},0>, {top_radius}")
+        }
+        Shape::Plane => "plane { y, 0".to_owned(),
+    }
+}
+
+/// The way from the body's frame to the world: the images of the three axes and of the origin, mirrored before and
+/// after.
+fn matrix(body: &Body) -> String {
+    let world_from_body = body.placement.world_from_body();
+    let [x, y, z] = [DVec3::X, DVec3::Y, DVec3::NEG_Z].map(|axis| world_from_body.transform_vector3(axis));
+    let rows = [x, y, z, world_from_body.translation].map(|row| numbers(row * MIRROR));
+    format!("matrix <{}>", rows.join(","))
+}
+
+/// Pigment, finish and, if anything goes through, the inside.
+fn surface(material: &Material) -> Result<String> {
+    let Material { model, ambient, diffuse, specular, shininess, transmission, ior, .. } = *material;
+    ensure!(model == Model::Phong, "POV-Ray is asked for Phong's model only, not for {}", model.key());
+    ensure!(material.texture.is_none(), "POV-Ray is asked for bodies without textures only");
+    let opacity = 1.0 - transmission;
+    ensure!(
+        opacity > 0.0 || (ambient == 0.0 && diffuse == 0.0),
+        "POV-Ray knows no ambient or diffuse light on a surface that lets all light through"
+    );
+    let [ambient, diffuse] = [ambient, diffuse].map(|part| if part == 0.0 { 0.0 } else { part / opacity });
+    let main = pigment(material.color, material)?;
+    let pigment = match material.checker {
+        Some(Checker { space: CheckerSpace::Body, .. }) => {
+            bail!("POV-Ray is asked for the world's checkers only")
+        }
+        // The pattern is that of our axes.
+        Some(checker) => format!(
+            "checker {main} {} scale {} scale <1,1,-1>",
+            pigment(checker.color, material)?,
+            checker.size
+        ),
+        None => main,
+    };
+    let interior = if transmission > 0.0 { format!(" interior {{ ior {ior} }}") } else { String::new() };
+    Ok(format!(
+        "pigment {{ {pigment} }} finish {{ ambient {ambient} diffuse {diffuse} phong {specular} \
+         phong_size {shininess} reflection {{ rgb {} }} }}{interior}",
+        material.reflection()
+    ))
+}
+
+/// A color, and how much light it lets through: `rgbt` leaves that light as it is, `rgbf` gives it the color.
+fn pigment(own: Color, material: &Material) -> Result<String> {
+    let Material { ambient, diffuse, transmission, tint, .. } = *material;
+    if transmission == 0.0 {
+        return Ok(color(own));
+    }
+    let (key, Color { r, g, b }) = if tint == Color::WHITE {
+        ("rgbt", own)
+    } else if tint == own || (ambient == 0.0 && diffuse == 0.0) {
+        ("rgbf", tint)
+    } else {
+        bail!("POV-Ray knows no tint other than the body's color");
+    };
+    Ok(format!("{key} <{r},{g},{b},{transmission}>"))
+}
+
+fn color(Color { r, g, b }: Color) -> String {
+    format!("rgb <{r},{g},{b}>")
+}
+
+/// A point or direction of our world in POV-Ray's.
+fn mirrored(point: DVec3) -> String {
+    vector(point * MIRROR)
+}
+
+fn vector(vector: DVec3) -> String {
+    format!("<{}>", numbers(vector))
+}
+
+fn numbers(vector: DVec3) -> String {
+    // Adding zero turns -0 into 0.
+    let [x, y, z] = vector.to_array().map(|value| value + 0.0);
+    format!("{x},{y},{z}")
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::PathBuf;
+
+    use catoptric_picture::{Difference, read};
+    use catoptric_scene::{MaterialChoice, load};
+
+    use super::*;
+    use crate::povray::{PovrayTask, trace};
+    use xtask::root;
+
+    fn reference(file: &str) -> PathBuf {
+        root().join("tests/reference").join(file)
+    }
+
+    /// Words and numbers, without comments.
+    fn tokens(text: &str) -> Vec<&str> {
+        text.lines()
+            .filter(|line| !line.starts_with("//"))
+            .flat_map(|line| line.split(|c: char| c.is_whitespace() || "<>,*/{}".contains(c)))
+            .filter(|token| !token.is_empty())
+            .collect()
+    }
+
+    fn same(a: &str, b: &str) -> bool {
+        match (a.parse::<f64>(), b.parse::<f64>()) {
+            (Ok(a), Ok(b)) => (a - b).abs() <= 1e-8 * (1.0 + a.abs()),
+            _ => a == b,
+        }
+    }
+
+    #[test]
+    fn says_what_the_files_written_by_hand_say() {
+        for name in ["whitted", "four-bodies", "mirrors", "corridor"] {
+            let scene = load(reference(&format!("{name}.toml"))).unwrap().scene;
+            let written = source(&scene).unwrap();
+            let stored = std::fs::read_to_string(reference(&format!("{name}.pov"))).unwrap();
+            let (written, stored) = (tokens(&written), tokens(&stored));
+            assert!(written.len() > 100);
+            for (index, (a, b)) in written.iter().zip(&stored).enumerate() {
+                assert!(same(a, b), "{name}, word {index}: {a} instead of {b}");
+            }
+            assert_eq!(written.len(), stored.len(), "{name}");
+        }
+    }
+
+    #[test]
+    fn lights_weaken_by_their_laws() {
+        let at = |falloff| light(&Light { falloff, color: Color::WHITE, intensity: 4.0, ..Light::default() });
+        let begin = "light_source { <-5,8,-6> rgb";
+        assert_eq!(at(Falloff::None), format!("{begin} <4,4,4> }}"));
+        let linear = at(Falloff::Linear { constant: 2.0 });
+        assert_eq!(linear, format!("{begin} <1,1,1> fade_distance 2 fade_power 1 }}"));
+        let square = at(Falloff::InverseSquare);
+        assert_eq!(square, format!("{begin} <2000000,2000000,2000000> fade_distance 0.001 fade_power 2 }}"));
+    }
+
+    #[test]
+    fn what_is_hidden_is_left_out() {
+        let body = Body { hidden: true, ..Body::default() };
+        let lamp = Light { hidden: true, ..Light::default() };
+        let mut scene = Scene { bodies: vec![body].into(), lights: vec![lamp], ..Scene::default() };
+        assert_eq!(source(&scene).unwrap().lines().count(), 4);
+        scene.bodies[0].hidden = false;
+        scene.lights[0].hidden = false;
+        assert_eq!(source(&scene).unwrap().lines().count(), 6);
+    }
+
+    #[test]
+    fn what_povray_cannot_say_is_refused() {
+        let red = Color::new(1.0, 0.0, 0.0);
+        let glass = Material { transmission: 0.75, diffuse: 0.2, ambient: 0.0, ..Material::default() };
+        let said = surface(&glass).unwrap();
+        assert!(said.contains("rgbt <0.8,0.8,0.8,0.75>") && said.contains("diffuse 0.8 "), "{said}");
+        let said = surface(&Material { color: red, tint: red, ..glass.clone() }).unwrap();
+        assert!(said.contains("rgbf <1,0,0,0.75>") && said.ends_with("interior { ior 1.5 }"), "{said}");
+        assert!(surface(&Material { tint: red, ..glass.clone() }).is_err());
+        assert!(surface(&Material { transmission: 1.0, ..glass.clone() }).is_err());
+        let clear = Material { transmission: 1.0, diffuse: 0.0, ..glass };
+        assert!(surface(&clear).is_ok());
+        let scene = Scene {
+            bodies: [Body { material: MaterialChoice::Named("none".to_owned()), ..Body::default() }]
+                .into_iter()
+                .collect(),
+            ..Scene::default()
+        };
+        assert!(source(&scene).is_err());
+    }
+
+    #[test]
+    #[ignore = "needs POV-Ray"]
+    fn povray_draws_the_stored_pictures() {
+        let folder = root().join("target/bench/stored");
+        std::fs::create_dir_all(&folder).unwrap();
+        let mut checked = 0;
+        for entry in std::fs::read_dir(reference("")).unwrap() {
+            let path = entry.unwrap().path();
+            if path.extension().is_none_or(|extension| extension != "toml") {
+                continue;
+            }
+            let name = path.file_stem().unwrap().to_string_lossy();
+            let [pov, output] = ["pov", "exr"].map(|ending| folder.join(format!("{name}.{ending}")));
+            std::fs::write(&pov, source(&load(&path).unwrap().scene).unwrap()).unwrap();
+            trace(&pov, &PovrayTask { output: &output, width: 320, height: 180, threads: 2 }).unwrap();
+            let stored = read(&path.with_extension("exr")).unwrap();
+            let difference = Difference::between(&read(&output).unwrap(), &stored).unwrap();
+            println!("{name}: {} pixels differ", difference.above);
+            assert!(difference.share_above <= 0.001, "{name}");
+            checked += 1;
+        }
+        assert!(checked >= 14);
+    }
+}

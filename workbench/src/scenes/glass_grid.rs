@@ -1,0 +1,103 @@
+//! Glass spheres in a grid, for measuring trees of many generations.
+
+use catoptric_scene::{
+    Body, Camera, Checker, Color, Light, Material, MaterialChoice, NamedMaterial, Placement, Projection,
+    Scene, Shape, Tracing,
+};
+use glam::DVec3;
+
+const GLASS: &str = "glass";
+const RADIUS: f64 = 0.5;
+/// Distance of neighboring centers.
+const SPACING: f64 = 1.2;
+
+/// 27 spheres of the glass of the reference scene `whitted`, 3×3×3, over its checkered floor without reflection.
+pub(crate) fn glass_grid() -> Scene {
+    let floor = Material {
+        color: Color::gray(0.85),
+        diffuse: 0.7,
+        checker: Some(Checker { color: Color::gray(0.2), size: 1.0, ..Checker::default() }),
+        ..Material::default()
+    };
+    let glass = Material {
+        color: Color::WHITE,
+        ambient: 0.0,
+        diffuse: 0.04,
+        specular: 0.6,
+        shininess: 120.0,
+        reflection: Some(0.15),
+        transmission: 0.8,
+        ..Material::default()
+    };
+    let mut bodies = vec![Body {
+        name: "floor".to_owned(),
+        shape: Shape::Plane,
+        material: MaterialChoice::Inline(Box::new(floor)),
+        ..Body::default()
+    }];
+    let steps = [-SPACING, 0.0, SPACING];
+    for y in steps {
+        for z in steps {
+            bodies.extend(steps.map(|x| Body {
+                shape: Shape::Sphere { radius: RADIUS },
+                placement: Placement::at(DVec3::new(x, y + SPACING + 0.6, z)),
+                material: MaterialChoice::Named(GLASS.to_owned()),
+                ..Body::default()
+            }));
+        }
+    }
+    Scene {
+        camera: Camera {
+            position: DVec3::new(3.0, 3.4, 7.0),
+            target: DVec3::new(0.0, 1.6, 0.0),
+            projection: Projection::Perspective { fov_degrees: 34.0 },
+            ..Camera::default()
+        },
+        tracing: Tracing { generations: 10, threshold: 0.0 },
+        materials: vec![NamedMaterial { name: GLASS.to_owned(), material: glass }],
+        lights: vec![
+            Light { name: "key".to_owned(), ..Light::default() },
+            Light {
+                name: "fill".to_owned(),
+                position: DVec3::new(6.0, 5.0, 3.0),
+                color: Color::new(1.0, 0.9, 0.8),
+                intensity: 0.5,
+                ..Light::default()
+            },
+        ],
+        bodies: bodies.into(),
+        ..Scene::default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_spheres_stand_apart_above_the_floor() {
+        let scene = glass_grid();
+        assert!(scene.check().is_empty(), "{:?}", scene.check());
+        let centers: Vec<DVec3> = scene.bodies.iter().skip(1).map(|body| body.placement.origin()).collect();
+        assert_eq!(centers.len(), 27);
+        for (index, center) in centers.iter().enumerate() {
+            assert!(center.y > RADIUS);
+            assert!(centers[..index].iter().all(|other| center.distance(*other) > 2.0 * RADIUS));
+        }
+    }
+
+    #[test]
+    fn glass_floor_and_lights_are_those_of_whitted() {
+        let file = xtask::root().join("tests/reference/whitted.toml");
+        let whitted = catoptric_scene::load(file).unwrap().scene;
+        let scene = glass_grid();
+        let material = |name: &str| {
+            let body = whitted.bodies.iter().find(|body| body.name == name).unwrap();
+            whitted.material(&body.material).unwrap().clone()
+        };
+        assert_eq!(scene.materials[0].material, material("glass"));
+        assert_eq!(scene.lights, whitted.lights);
+        let floor = scene.material(&scene.bodies[0].material).unwrap();
+        assert_eq!(Material { reflection: Some(0.15), ..floor.clone() }, material("floor"));
+    }
+}
