@@ -1,8 +1,8 @@
 //! A cloud of bodies of four shapes, for measuring what many bodies cost: alone, or around the bodies of a scene.
 
 use catoptric_scene::{
-    Anchor, Body, Camera, Color, Environment, Light, Material, MaterialChoice, NamedMaterial, Placement,
-    Projection, Scene, Shape, Tracing,
+    Anchor, Body, Camera, Color, Environment, Light, Material, MaterialChoice, NamedMaterial, Phong,
+    Placement, Projection, Scene, Shape, Tracing,
 };
 use glam::DVec3;
 
@@ -114,14 +114,14 @@ fn upright(radius: f64, body: &Body) -> (DVec3, DVec3) {
 fn materials(prefix: &str, random: &mut Random) -> Vec<NamedMaterial> {
     let material = |number| NamedMaterial {
         name: format!("{prefix}{number}"),
-        material: Material {
-            color: random.vector(0.2, 1.0).to_array().into(),
+        material: Material::Phong(Phong {
+            pattern: Color::from(random.vector(0.2, 1.0).to_array()).into(),
             diffuse: 0.6,
             specular: 0.5,
             shininess: 60.0,
             reflection: Some(0.3),
-            ..Material::default()
-        },
+            ..Phong::default()
+        }),
     };
     (0..MATERIALS).map(material).collect()
 }

@@ -1,8 +1,6 @@
 //! The depth to which a scene needs to be traced, and materials that give more light than they get.
 
-use catoptric_scene::{
-    Body, Camera, Checker, Color, Material, MaterialChoice, Model, Projection, Scene, Tracing,
-};
+use catoptric_scene::{Body, Camera, Color, Material, MaterialChoice, Pattern, Projection, Scene, Tracing};
 use catoptric_tracer::{RenderCamera, RenderControl, RenderError, RenderScene, WhittedIntegrator};
 use glam::{DVec3, UVec2};
 use rayon::prelude::*;
@@ -40,10 +38,10 @@ impl DepthBound {
             let Some(material) = scene.material(&body.material) else { continue };
             let (reflection, passes) = (material.reflects().most, material.lets_through().most);
             if passes > 0.0 {
-                let factor = match material.model {
+                let factor = match material {
                     // What is not reflected passes.
-                    Model::Dielectric => 1.0,
-                    _ if material.ior() == 1.0 => reflection + passes,
+                    Material::Dielectric(_) => 1.0,
+                    _ if material.ior() == Some(1.0) => reflection + passes,
                     _ => (reflection + passes).max(1.0),
                 };
                 if clear.is_none_or(|(most, _)| factor > most) {
@@ -252,22 +250,38 @@ const MOST_EXCESSES: usize = 64;
 /// What there is too much of in one material, beyond rounding.
 pub fn excess_of(material: &Material) -> impl Iterator<Item = (ExcessKind, f64)> {
     const ALL: f64 = 1.0 + 1e-9;
-    let other = material.checker.as_ref().map_or(Color::BLACK, |checker: &Checker| checker.color).to_array();
-    let (color, tint) = (material.brightest().to_array(), material.tint.to_array());
-    let channels = color.iter().zip(other).zip(tint).enumerate().map(|(channel, ((color, other), tint))| {
-        let color = color.max(other);
-        let (diffuse, reflection, transmission) = match material.model {
-            Model::Phong => (material.diffuse * color, material.reflection(), material.transmission * tint),
-            Model::Mirror => (0.0, material.reflection() * color, 0.0),
-            Model::Matte => (color, 0.0, 0.0),
-            // They take from one what they give to the other, and a coat knows no ground brighter than white.
-            Model::Dielectric | Model::Conductor | Model::Coated => (0.0, 0.0, 0.0),
-        };
+    let brightest = |pattern: &Pattern| {
+        let other = pattern.checker.map_or(Color::BLACK, |checker| checker.color);
+        DVec3::from_array(pattern.brightest().to_array()).max(DVec3::from_array(other.to_array()))
+    };
+    let (diffuse, reflection, transmission) = match material {
+        Material::Phong(phong) => (
+            phong.diffuse * brightest(&phong.pattern),
+            DVec3::splat(phong.reflection()),
+            phong.transmission * DVec3::from_array(phong.tint.to_array()),
+        ),
+        Material::Mirror(mirror) => {
+            (DVec3::ZERO, mirror.reflection() * brightest(&mirror.pattern), DVec3::ZERO)
+        }
+        Material::Matte(matte) => (brightest(&matte.pattern), DVec3::ZERO, DVec3::ZERO),
+        // They take from one what they give to the other, and a coat knows no ground brighter than white.
+        Material::Dielectric(_) | Material::Conductor(_) | Material::Coated(_) => {
+            (DVec3::ZERO, DVec3::ZERO, DVec3::ZERO)
+        }
+    };
+    let parts = diffuse.to_array().into_iter().zip(reflection.to_array()).zip(transmission.to_array());
+    let channels = parts.enumerate().map(|(channel, ((diffuse, reflection), transmission))| {
         let kind = ExcessKind::Surface { channel, diffuse, reflection, transmission };
         (kind, diffuse + reflection + transmission)
     });
     let most = channels.reduce(|most, next| if next.1 > most.1 { next } else { most });
-    let specular = if material.has_highlight() { material.specular } else { 0.0 };
-    let highlight = (ExcessKind::Highlight, 2.0 * specular / (material.shininess + 2.0));
-    most.into_iter().chain([highlight]).filter(|(_, amount)| *amount > ALL)
+    let highlight = match material {
+        Material::Phong(phong) => 2.0 * phong.specular / (phong.shininess + 2.0),
+        Material::Dielectric(_)
+        | Material::Conductor(_)
+        | Material::Mirror(_)
+        | Material::Matte(_)
+        | Material::Coated(_) => 0.0,
+    };
+    most.into_iter().chain([(ExcessKind::Highlight, highlight)]).filter(|(_, amount)| *amount > ALL)
 }

@@ -248,7 +248,8 @@ impl<'a> ExactSetup<'a> {
             if is_meant && body.shape != Shape::Plane && !is_around && reflection < LEAST_MIRROR {
                 keep(&mut setting.objects, place, &mut setting.is_cut);
             }
-            if is_meant && is_clear && material.ior() > 1.0 && matches!(body.shape, Shape::Sphere { .. }) {
+            let is_lens = is_clear && material.ior().is_some_and(|ior| ior > 1.0);
+            if is_meant && is_lens && matches!(body.shape, Shape::Sphere { .. }) {
                 keep(&mut setting.lenses, place, &mut setting.is_cut);
             }
             if is_meant && material.has_highlight() && !is_around {

@@ -1,7 +1,7 @@
 //! The curve ω(i, λ) of a material: how much it reflects, by angle and color.
 
 use catoptric_optics::fresnel;
-use catoptric_scene::{Conductor, Material, Model};
+use catoptric_scene::{Material, MetalOptics};
 
 /// A curve of reflectance.
 #[derive(Clone, Debug, PartialEq)]
@@ -81,18 +81,20 @@ pub enum SpecialAngleKind {
 /// The curves of a material; none if it reflects alike under all angles.
 pub fn curves_of(material: &Material) -> Vec<ReflectanceCurve> {
     let clear = |kind, eta| ReflectanceCurve { kind, law: ReflectanceLaw::Clear(eta) };
-    match material.model {
-        Model::Phong | Model::Mirror | Model::Matte => Vec::new(),
-        Model::Dielectric => {
-            let ior = material.ior();
+    match material {
+        Material::Phong(_) | Material::Mirror(_) | Material::Matte(_) => Vec::new(),
+        Material::Dielectric(dielectric) => {
+            let ior = dielectric.index.ior();
             vec![clear(CurveKind::FromOutside, ior), clear(CurveKind::FromInside, 1.0 / ior)]
         }
-        Model::Coated => vec![clear(CurveKind::FromOutside, material.ior())],
-        Model::Conductor => {
+        Material::Coated(coated) => vec![clear(CurveKind::FromOutside, coated.ior)],
+        Material::Conductor(conductor) => {
             let kinds = [CurveKind::Red, CurveKind::Green, CurveKind::Blue];
-            let laws: [ReflectanceLaw; 3] = match material.conductor {
-                Conductor::Index { n, k } => [[n.x, k.x], [n.y, k.y], [n.z, k.z]].map(ReflectanceLaw::Metal),
-                Conductor::Metal(metal) => {
+            let laws: [ReflectanceLaw; 3] = match conductor.metal {
+                MetalOptics::Index { n, k } => {
+                    [[n.x, k.x], [n.y, k.y], [n.z, k.z]].map(ReflectanceLaw::Metal)
+                }
+                MetalOptics::Metal(metal) => {
                     let all: Vec<[f64; 3]> = (0..=180)
                         .map(|half| metal.reflectance((0.5 * f64::from(half)).to_radians().cos(), 1.0))
                         .collect();
@@ -140,14 +142,16 @@ pub fn reflected_at(
 
 /// The angles at which something happens to the curves of a material.
 pub fn marks_of(material: &Material) -> Vec<SpecialAngle> {
-    let ior = material.ior();
-    let mut marks = Vec::new();
-    let sides: &[(f64, bool)] = match material.model {
-        Model::Dielectric => &[(ior, false), (1.0 / ior, true)],
-        Model::Coated => &[(ior, false)],
-        _ => &[],
+    let sides = match material {
+        Material::Dielectric(dielectric) => {
+            let ior = dielectric.index.ior();
+            vec![(ior, false), (1.0 / ior, true)]
+        }
+        Material::Coated(coated) => vec![(coated.ior, false)],
+        Material::Phong(_) | Material::Conductor(_) | Material::Mirror(_) | Material::Matte(_) => Vec::new(),
     };
-    for &(eta, is_from_inside) in sides.iter().filter(|(eta, _)| *eta != 1.0) {
+    let mut marks = Vec::new();
+    for (eta, is_from_inside) in sides.into_iter().filter(|(eta, _)| *eta != 1.0) {
         let mark = |kind, angle: f64| SpecialAngle { kind, degrees: angle.to_degrees(), is_from_inside };
         marks.push(mark(SpecialAngleKind::Brewster, fresnel::brewster_angle(eta)));
         marks.extend(fresnel::critical_angle(eta).map(|angle| mark(SpecialAngleKind::Critical, angle)));
@@ -158,26 +162,31 @@ pub fn marks_of(material: &Material) -> Vec<SpecialAngle> {
 #[cfg(test)]
 mod tests {
     use catoptric_optics::Metal;
+    use catoptric_scene::{Conductor, Dielectric, Model, RefractiveIndex};
 
     use super::*;
 
+    fn clear(ior: f64) -> Material {
+        Dielectric { index: ior.into(), ..Dielectric::default() }.into()
+    }
+
     #[test]
     fn glass_has_its_curves_and_angles() {
-        let glass = Material { model: Model::Dielectric, ior: 1.5, ..Material::default() };
+        let glass = clear(1.5);
         let curves = curves_of(&glass);
         assert!((curves[0].at(0.0) - 0.04).abs() < 1e-12 && (curves[1].at(41.0) - 0.379_751).abs() < 1e-6);
         assert!((curves[0].at(90.0) - 1.0).abs() < 1e-12 && curves[1].at(60.0) == 1.0);
         let degrees: Vec<i64> =
             marks_of(&glass).iter().map(|mark| (mark.degrees * 1e4).round() as i64).collect();
         assert_eq!(degrees, [563_099, 336_901, 418_103]);
-        let air = Material { ior: 1.0, ..glass };
+        let air = clear(1.0);
         assert!(marks_of(&air).is_empty() && curves_of(&air).iter().all(|curve| curve.at(50.0) == 0.0));
     }
 
     #[test]
     fn gold_is_red_and_white_when_it_grazes() {
-        let conductor = Conductor::Metal(Metal::named("gold").unwrap());
-        let gold = Material { model: Model::Conductor, conductor, ..Material::default() };
+        let metal = MetalOptics::Metal(Metal::named("gold").unwrap());
+        let gold = Material::Conductor(Conductor { metal, ..Conductor::default() });
         let [red, _, blue] = &curves_of(&gold)[..] else { panic!() };
         assert!(red.at(0.0) > 2.0 * blue.at(0.0) && blue.at(89.9) > 0.98);
         let exact = Metal::named("gold").unwrap().reflectance(33.3_f64.to_radians().cos(), 1.0)[2];
@@ -189,20 +198,17 @@ mod tests {
         let at = |material: &Material, degrees, is_from_inside| {
             reflected_at(material, &curves_of(material), degrees, is_from_inside)
         };
-        let glass = Material { model: Model::Dielectric, ior: 1.5, ..Material::default() };
+        let glass = clear(1.5);
         let outside = curves_of(&glass)[0].at(45.0);
         assert_eq!((at(&glass, 45.0, false), at(&glass, 45.0, true)), (Some([outside; 3]), Some([1.0; 3])));
-        let conductor = Conductor::Metal(Metal::named("copper").unwrap());
-        let copper = Material { model: Model::Conductor, conductor, ..Material::default() };
+        let metal = MetalOptics::Metal(Metal::named("copper").unwrap());
+        let copper = Material::Conductor(Conductor { metal, ..Conductor::default() });
         let known = [0, 1, 2].map(|channel: usize| curves_of(&copper)[channel].at(20.0));
         assert_eq!((at(&copper, 20.0, false), at(&copper, 20.0, true)), (Some(known), None));
         assert_eq!(at(&Material::default(), 20.0, false), None);
         // Diamond's index is 2.412 for red and 2.441 for blue light.
-        let diamond = Material {
-            substance: catoptric_optics::ClearSubstance::named("diamond"),
-            dispersion: true,
-            ..glass
-        };
+        let index = RefractiveIndex::Substance(catoptric_optics::ClearSubstance::named("diamond").unwrap());
+        let diamond = Dielectric { index, dispersion: true, ..Dielectric::default() }.into();
         let [red, green, blue] = at(&diamond, 0.0, false).unwrap();
         assert!((red - 0.171).abs() < 1e-3 && (blue - 0.1754).abs() < 1e-3 && red < green && green < blue);
         let [red, _, blue] = at(&diamond, 24.3, true).unwrap();
@@ -212,7 +218,7 @@ mod tests {
     #[test]
     fn flat_laws_have_no_curve() {
         for model in [Model::Phong, Model::Mirror, Model::Matte] {
-            assert!(curves_of(&Material { model, ..Material::default() }).is_empty());
+            assert!(curves_of(&model.into()).is_empty());
         }
     }
 }

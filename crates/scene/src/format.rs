@@ -5,6 +5,7 @@ mod check;
 mod decimal;
 mod diagnostic;
 pub mod keys;
+mod material;
 mod message;
 mod nearest;
 mod number;

@@ -319,16 +319,22 @@ impl HasImages for Environment {
     }
 }
 
+impl HasImages for Material {
+    fn edit_images(&mut self, edit: &mut dyn FnMut(&mut Image)) {
+        self.pattern_mut().and_then(|pattern| pattern.texture.as_mut()).map(edit);
+    }
+}
+
 impl HasImages for NamedMaterial {
     fn edit_images(&mut self, edit: &mut dyn FnMut(&mut Image)) {
-        self.material.texture.iter_mut().for_each(edit);
+        self.material.edit_images(edit);
     }
 }
 
 impl HasImages for Body {
     fn edit_images(&mut self, edit: &mut dyn FnMut(&mut Image)) {
         if let MaterialChoice::Inline(material) = &mut self.material {
-            material.texture.iter_mut().for_each(edit);
+            material.edit_images(edit);
         }
     }
 }
@@ -398,7 +404,7 @@ fn inline(choice: &MaterialChoice) -> Option<&Material> {
 }
 
 fn texture(material: &Material) -> Option<&Image> {
-    material.texture.as_ref()
+    material.pattern()?.texture.as_ref()
 }
 
 /// The file that a path of a scene leads to.

@@ -28,7 +28,10 @@ pub use image::{HasImages, Image, ImageError, ImageFault, ImageSource, Unreadabl
 pub use language::Language;
 pub use light::{Falloff, Light};
 pub use list::{CountedIter, List, ListIter, ListIterMut, ListSlices};
-pub use material::{Checker, CheckerSpace, Conductor, Material, MaterialChoice, Model, NamedMaterial, Share};
+pub use material::{
+    Attenuation, Checker, CheckerSpace, Coated, Conductor, Dielectric, Material, MaterialChoice, Matte,
+    MetalOptics, Mirror, Model, NamedMaterial, Pattern, Phong, RefractiveIndex, Share,
+};
 pub use text::{is_active, quoted_name, visible, visible_lines};
 
 /// A whole scene: everything that decides what a picture shows, except its size.

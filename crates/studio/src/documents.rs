@@ -192,6 +192,7 @@ fn show(studio: &mut Studio, editor: Editor) {
     let before = std::mem::replace(&mut studio.editor, editor);
     studio.panes.outliner.stop_renaming();
     studio.panes.viewport.begin_document();
+    studio.panes.inspector.begin_document();
     if before.scene().bodies.len() > MANY {
         // Freeing it takes longer than a frame.
         job::let_go(before);

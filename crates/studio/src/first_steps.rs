@@ -104,7 +104,7 @@ fn watch(studio: &mut Studio) {
     }
     let pairs = || start.bodies.iter().zip(&scene.bodies);
     let reflection = |scene: &Scene, body: &catoptric_scene::Body| {
-        scene.material(&body.material).map(catoptric_scene::Material::reflection)
+        scene.material(&body.material).and_then(catoptric_scene::Material::reflection)
     };
     steps.done[0] |= pairs().any(|(before, now)| before.placement != now.placement);
     steps.done[2] |= pairs().any(|(before, now)| reflection(start, before) != reflection(scene, now));

@@ -239,12 +239,15 @@ fn in_words(texts: &Texts, error: &ImageError) -> String {
 mod tests {
     use std::cell::Cell;
 
-    use catoptric_scene::{Body, List, Material, MaterialChoice};
+    use catoptric_scene::{Body, List, Material, MaterialChoice, Pattern, Phong};
 
     use super::*;
 
     fn textured(path: &str) -> Body {
-        let material = Material { texture: Some(Image::new(path)), ..Material::default() };
+        let material = Material::Phong(Phong {
+            pattern: Pattern { texture: Some(Image::new(path)), ..Pattern::default() },
+            ..Phong::default()
+        });
         Body { material: MaterialChoice::Inline(Box::new(material)), ..Body::default() }
     }
 

@@ -20,6 +20,7 @@ mod material;
 mod pattern;
 mod physical;
 mod place;
+mod replaced;
 mod reshape;
 mod sheet;
 mod surroundings;
@@ -37,6 +38,13 @@ const LEAST_WIDTH: f32 = 150.0;
 #[derive(Default)]
 pub(crate) struct Inspector {
     memory: InspectorState,
+}
+
+impl Inspector {
+    /// Follows the window to another document.
+    pub(crate) fn begin_document(&mut self) {
+        self.memory.replaced = replaced::ReplacedMaterials::default();
+    }
 }
 
 /// The state that rows keep and share.
@@ -65,6 +73,8 @@ pub(crate) struct InspectorState {
     pub(crate) adviser: depth::DepthAdviser,
     /// The curves of the material that was shown last.
     pub(crate) curves: curve::ReflectanceCurves,
+    /// What materials were before their model changed.
+    pub(crate) replaced: replaced::ReplacedMaterials,
 }
 
 impl Default for InspectorState {
@@ -83,6 +93,7 @@ impl Default for InspectorState {
             starts: sheet::StartVectors::default(),
             adviser: depth::DepthAdviser::default(),
             curves: curve::ReflectanceCurves::default(),
+            replaced: replaced::ReplacedMaterials::default(),
         }
     }
 }

@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 
 use anyhow::{Context as _, Result, bail, ensure};
 use catoptric_scene::{
-    Body, Camera, Checker, CheckerSpace, Color, Falloff, Light, Material, Model, Projection, Scene, Shape,
+    Body, Camera, Checker, CheckerSpace, Color, Falloff, Light, Material, Phong, Projection, Scene, Shape,
     Surroundings,
 };
 use glam::DVec3;
@@ -111,39 +111,39 @@ fn matrix(body: &Body) -> String {
 
 /// Pigment, finish and, if anything goes through, the inside.
 fn surface(material: &Material) -> Result<String> {
-    let Material { model, ambient, diffuse, specular, shininess, transmission, ior, .. } = *material;
-    ensure!(model == Model::Phong, "POV-Ray is asked for Phong's model only, not for {}", model.key());
-    ensure!(material.texture.is_none(), "POV-Ray is asked for bodies without textures only");
+    let model = material.model().key();
+    let phong = material.as_phong();
+    let phong = phong.with_context(|| format!("POV-Ray is asked for Phong's model only, not for {model}"))?;
+    let Phong { ref pattern, ambient, diffuse, specular, shininess, transmission, ior, .. } = *phong;
+    ensure!(pattern.texture.is_none(), "POV-Ray is asked for bodies without textures only");
     let opacity = 1.0 - transmission;
     ensure!(
         opacity > 0.0 || (ambient == 0.0 && diffuse == 0.0),
         "POV-Ray knows no ambient or diffuse light on a surface that lets all light through"
     );
     let [ambient, diffuse] = [ambient, diffuse].map(|part| if part == 0.0 { 0.0 } else { part / opacity });
-    let main = pigment(material.color, material)?;
-    let pigment = match material.checker {
+    let main = pigment(pattern.color, phong)?;
+    let pigment = match pattern.checker {
         Some(Checker { space: CheckerSpace::Body, .. }) => {
             bail!("POV-Ray is asked for the world's checkers only")
         }
         // The pattern is that of our axes.
-        Some(checker) => format!(
-            "checker {main} {} scale {} scale <1,1,-1>",
-            pigment(checker.color, material)?,
-            checker.size
-        ),
+        Some(checker) => {
+            format!("checker {main} {} scale {} scale <1,1,-1>", pigment(checker.color, phong)?, checker.size)
+        }
         None => main,
     };
     let interior = if transmission > 0.0 { format!(" interior {{ ior {ior} }}") } else { String::new() };
     Ok(format!(
         "pigment {{ {pigment} }} finish {{ ambient {ambient} diffuse {diffuse} phong {specular} \
          phong_size {shininess} reflection {{ rgb {} }} }}{interior}",
-        material.reflection()
+        phong.reflection()
     ))
 }
 
 /// A color, and how much light it lets through: `rgbt` leaves that light as it is, `rgbf` gives it the color.
-fn pigment(own: Color, material: &Material) -> Result<String> {
-    let Material { ambient, diffuse, transmission, tint, .. } = *material;
+fn pigment(own: Color, phong: &Phong) -> Result<String> {
+    let Phong { ambient, diffuse, transmission, tint, .. } = *phong;
     if transmission == 0.0 {
         return Ok(color(own));
     }
@@ -247,14 +247,15 @@ mod tests {
     #[test]
     fn what_povray_cannot_say_is_refused() {
         let red = Color::new(1.0, 0.0, 0.0);
-        let glass = Material { transmission: 0.75, diffuse: 0.2, ambient: 0.0, ..Material::default() };
+        let glass = Phong { transmission: 0.75, diffuse: 0.2, ambient: 0.0, ..Phong::default() };
+        let surface = |phong: &Phong| surface(&phong.clone().into());
         let said = surface(&glass).unwrap();
         assert!(said.contains("rgbt <0.8,0.8,0.8,0.75>") && said.contains("diffuse 0.8 "), "{said}");
-        let said = surface(&Material { color: red, tint: red, ..glass.clone() }).unwrap();
+        let said = surface(&Phong { pattern: red.into(), tint: red, ..glass.clone() }).unwrap();
         assert!(said.contains("rgbf <1,0,0,0.75>") && said.ends_with("interior { ior 1.5 }"), "{said}");
-        assert!(surface(&Material { tint: red, ..glass.clone() }).is_err());
-        assert!(surface(&Material { transmission: 1.0, ..glass.clone() }).is_err());
-        let clear = Material { transmission: 1.0, diffuse: 0.0, ..glass };
+        assert!(surface(&Phong { tint: red, ..glass.clone() }).is_err());
+        assert!(surface(&Phong { transmission: 1.0, ..glass.clone() }).is_err());
+        let clear = Phong { transmission: 1.0, diffuse: 0.0, ..glass };
         assert!(surface(&clear).is_ok());
         let scene = Scene {
             bodies: [Body { material: MaterialChoice::Named("none".to_owned()), ..Body::default() }]

@@ -1,8 +1,8 @@
 //! Glass spheres in a grid, for measuring trees of many generations.
 
 use catoptric_scene::{
-    Body, Camera, Checker, Color, Light, Material, MaterialChoice, NamedMaterial, Placement, Projection,
-    Scene, Shape, Tracing,
+    Body, Camera, Checker, Color, Light, Material, MaterialChoice, NamedMaterial, Pattern, Phong, Placement,
+    Projection, Scene, Shape, Tracing,
 };
 use glam::DVec3;
 
@@ -13,22 +13,25 @@ const SPACING: f64 = 1.2;
 
 /// 27 spheres of the glass of the reference scene `whitted`, 3×3×3, over its checkered floor without reflection.
 pub(crate) fn glass_grid() -> Scene {
-    let floor = Material {
-        color: Color::gray(0.85),
+    let floor = Material::Phong(Phong {
+        pattern: Pattern {
+            color: Color::gray(0.85),
+            checker: Some(Checker { color: Color::gray(0.2), size: 1.0, ..Checker::default() }),
+            ..Pattern::default()
+        },
         diffuse: 0.7,
-        checker: Some(Checker { color: Color::gray(0.2), size: 1.0, ..Checker::default() }),
-        ..Material::default()
-    };
-    let glass = Material {
-        color: Color::WHITE,
+        ..Phong::default()
+    });
+    let glass = Material::Phong(Phong {
+        pattern: Color::WHITE.into(),
         ambient: 0.0,
         diffuse: 0.04,
         specular: 0.6,
         shininess: 120.0,
         reflection: Some(0.15),
         transmission: 0.8,
-        ..Material::default()
-    };
+        ..Phong::default()
+    });
     let mut bodies = vec![Body {
         name: "floor".to_owned(),
         shape: Shape::Plane,
@@ -97,7 +100,7 @@ mod tests {
         };
         assert_eq!(scene.materials[0].material, material("glass"));
         assert_eq!(scene.lights, whitted.lights);
-        let floor = scene.material(&scene.bodies[0].material).unwrap();
-        assert_eq!(Material { reflection: Some(0.15), ..floor.clone() }, material("floor"));
+        let floor = scene.material(&scene.bodies[0].material).and_then(Material::as_phong).unwrap();
+        assert_eq!(Material::Phong(Phong { reflection: Some(0.15), ..floor.clone() }), material("floor"));
     }
 }

@@ -4,8 +4,8 @@
 use std::f64::consts::PI;
 
 use catoptric_scene::{
-    Body, Camera, Color, Environment, Light, Material, MaterialChoice, NamedMaterial, Placement, Projection,
-    Scene, Shape, Tracing,
+    Body, Camera, Color, Environment, Light, Material, MaterialChoice, NamedMaterial, Phong, Placement,
+    Projection, Scene, Shape, Tracing,
 };
 use glam::{DMat3, DVec3};
 
@@ -14,17 +14,21 @@ const BALL: &str = "ball";
 /// A sphere with nine on it, a third as large, which have nine on them, and so on for a number of levels.
 pub(crate) fn sphereflake(levels: u32) -> Scene {
     let light = |position, intensity| Light { position, intensity, ..Light::default() };
-    let ground =
-        Material { color: Color::new(1.0, 0.75, 0.33), ambient: 0.1, diffuse: 0.8, ..Material::default() };
-    let ball = Material {
-        color: Color::new(1.0, 0.9, 0.7),
+    let ground = Material::Phong(Phong {
+        pattern: Color::new(1.0, 0.75, 0.33).into(),
+        ambient: 0.1,
+        diffuse: 0.8,
+        ..Phong::default()
+    });
+    let ball = Material::Phong(Phong {
+        pattern: Color::new(1.0, 0.9, 0.7).into(),
         ambient: 0.1,
         diffuse: 0.4,
         specular: 0.3,
         shininess: 30.0,
         reflection: Some(0.5),
-        ..Material::default()
-    };
+        ..Phong::default()
+    });
     let mut bodies = vec![Body {
         name: "ground".to_owned(),
         shape: Shape::Plane,

@@ -1,6 +1,6 @@
 //! New bodies, lights and materials.
 
-use catoptric_scene::{Body, Color, Light, Material, MaterialChoice, NamedMaterial, Scene, ShapeKind};
+use catoptric_scene::{Body, Color, Light, Material, MaterialChoice, NamedMaterial, Phong, Scene, ShapeKind};
 use glam::DVec3;
 
 use super::outcome::ActionOutcome;
@@ -64,9 +64,9 @@ fn material(scene: &Scene, shape: ShapeKind) -> Material {
     let colors = PALETTE.map(Color::from_srgb8);
     let mut uses = [0usize; PALETTE.len()];
     for body in &scene.bodies {
-        let Some(material) = scene.material(&body.material) else { continue };
+        let Some(pattern) = scene.material(&body.material).and_then(Material::pattern) else { continue };
         let distance = |color: &Color| {
-            let (a, b) = (DVec3::from_array(color.to_array()), DVec3::from_array(material.color.to_array()));
+            let (a, b) = (DVec3::from_array(color.to_array()), DVec3::from_array(pattern.color.to_array()));
             a.distance_squared(b)
         };
         let near = colors.iter().zip(&mut uses).min_by(|a, b| distance(a.0).total_cmp(&distance(b.0)));
@@ -75,9 +75,9 @@ fn material(scene: &Scene, shape: ShapeKind) -> Material {
         }
     }
     let color = colors.into_iter().zip(uses).min_by_key(|(_, uses)| *uses).map(|(color, _)| color);
-    let matte = Material { color: color.unwrap_or(Color::WHITE), ..Material::default() };
+    let matte = Phong { pattern: color.unwrap_or(Color::WHITE).into(), ..Phong::default() };
     if shape == ShapeKind::Plane {
-        return matte;
+        return matte.into();
     }
-    Material { diffuse: 0.75, specular: 0.4, shininess: 60.0, reflection: Some(0.15), ..matte }
+    Phong { diffuse: 0.75, specular: 0.4, shininess: 60.0, reflection: Some(0.15), ..matte }.into()
 }

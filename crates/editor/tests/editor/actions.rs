@@ -32,7 +32,7 @@ fn new_bodies_stand_where_they_are_told_in_colors_of_their_own() {
     assert_eq!(editor.undo_label().unwrap().subject, "sphere 2");
     let mut colors = Vec::new();
     for (index, body) in scene.bodies.iter().skip(4).enumerate() {
-        let color = scene.material(&body.material).unwrap().color;
+        let color = scene.material(&body.material).unwrap().pattern().unwrap().color;
         assert!(!colors.contains(&color), "number {index}");
         colors.push(color);
     }

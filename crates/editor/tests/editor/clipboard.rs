@@ -48,11 +48,11 @@ fn pasted_things_are_named_moved_and_selected() {
 fn materials_of_one_name_and_another_value_are_renamed() {
     let mut editor = selecting(bodies([0, 2]));
     let text = editor.copy().unwrap();
-    editor.change_material(0, label("x"), |material| material.ior = 3.0).unwrap();
+    editor.change_material(0, label("x"), |material| *material.ior_mut().unwrap() = 3.0).unwrap();
     act(&mut editor, &Action::Paste(text.clone()));
     let scene = editor.scene();
     assert_eq!(scene.materials.len(), 4);
-    assert_eq!((scene.materials[3].name.as_str(), scene.materials[3].material.ior), ("red 2", 1.1));
+    assert_eq!((scene.materials[3].name.as_str(), scene.materials[3].material.ior()), ("red 2", Some(1.1)));
     assert_eq!(scene.bodies[4].material, MaterialChoice::Named("red 2".to_owned()));
     assert_eq!(scene.bodies[5].material, MaterialChoice::Named("blue".to_owned()));
     act(&mut editor, &Action::Paste(text));

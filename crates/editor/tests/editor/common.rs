@@ -1,7 +1,7 @@
 //! Small scenes and short ways to say things.
 
 use catoptric_editor::{Action, ActionError, Editor, Item, Label, Selection};
-use catoptric_scene::{Body, Light, Material, MaterialChoice, NamedMaterial, Placement, Scene, Shape};
+use catoptric_scene::{Body, Light, Material, MaterialChoice, NamedMaterial, Phong, Placement, Scene, Shape};
 use glam::DVec3;
 
 pub(crate) fn ball(name: &str, x: f64) -> Body {
@@ -22,7 +22,7 @@ pub(crate) fn lamp(name: &str) -> Light {
 }
 
 pub(crate) fn named(name: &str, ior: f64) -> NamedMaterial {
-    NamedMaterial { name: name.to_owned(), material: Material { ior, ..Material::default() } }
+    NamedMaterial { name: name.to_owned(), material: Material::Phong(Phong { ior, ..Phong::default() }) }
 }
 
 /// Bodies a to d at x = 0, 3, 6 and 9 of the materials red, red, blue and their own; two lamps; a third material.

@@ -102,7 +102,7 @@ fn what_no_file_can_say_is_refused() {
             body.shape = Shape::Sphere { radius: 1.5 - index as f64 };
         }),
         editor.change_light(0, label("edit-move"), |light| light.intensity = -1.0),
-        editor.change_material(0, label("edit-move"), |material| material.ior = 0.0),
+        editor.change_material(0, label("edit-move"), |material| *material.ior_mut().unwrap() = 0.0),
         editor.change_camera(label("edit-move"), |camera| camera.target = camera.position),
         editor.change_environment(label("edit-move"), |environment| environment.ambient.g = f64::INFINITY),
         editor.change_tracing(label("edit-move"), |tracing| tracing.generations = 65),

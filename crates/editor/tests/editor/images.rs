@@ -6,12 +6,15 @@ use std::sync::Arc;
 
 use catoptric_editor::{Action, Editor, Item, Label};
 use catoptric_scene::{
-    Body, Image, ImageSource, Material, MaterialChoice, NamedMaterial, Scene, Surroundings,
+    Body, Image, ImageSource, Material, MaterialChoice, NamedMaterial, Pattern, Phong, Scene, Surroundings,
 };
 use proptest::prelude::*;
 
 fn textured(path: &str) -> MaterialChoice {
-    MaterialChoice::Inline(Box::new(Material { texture: Some(Image::new(path)), ..Material::default() }))
+    MaterialChoice::Inline(Box::new(Material::Phong(Phong {
+        pattern: Pattern { texture: Some(Image::new(path)), ..Pattern::default() },
+        ..Phong::default()
+    })))
 }
 
 fn scene() -> Scene {
@@ -122,9 +125,9 @@ fn edit(editor: &mut Editor, edit: &Edit, number: usize) {
     let count = editor.scene().bodies.len();
     let changed = match *edit {
         Edit::Texture(place) => editor.change_body(place, label, |body| body.material = new.material),
-        Edit::SharedTexture => {
-            editor.change_material(0, label, |material| material.texture = Some(Image::new(path)))
-        }
+        Edit::SharedTexture => editor.change_material(0, label, |material| {
+            material.pattern_mut().unwrap().texture = Some(Image::new(path));
+        }),
         Edit::Surroundings => editor.change_environment(label, |environment| {
             environment.surroundings = Surroundings::Picture(Image::new(path));
         }),

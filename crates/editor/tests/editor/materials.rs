@@ -1,7 +1,7 @@
 //! Known answers of the actions on names and materials.
 
 use catoptric_editor::{Action, ActionError, Item};
-use catoptric_scene::{Material, MaterialChoice};
+use catoptric_scene::{Material, MaterialChoice, Phong};
 
 use crate::common::{act, bodies, editor, gray, names, selected, selecting};
 
@@ -10,7 +10,7 @@ fn choice(name: &str) -> MaterialChoice {
 }
 
 fn own(ior: f64) -> MaterialChoice {
-    MaterialChoice::Inline(Box::new(Material { ior, ..Material::default() }))
+    MaterialChoice::Inline(Box::new(Material::Phong(Phong { ior, ..Phong::default() })))
 }
 
 fn materials(editor: &catoptric_editor::Editor) -> Vec<&str> {

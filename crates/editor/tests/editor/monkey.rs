@@ -1,7 +1,7 @@
 //! Anything in any order.
 
 use catoptric_editor::{Action, ActionError, Editor, Item, NewBodyPlacement, Selection, navigate};
-use catoptric_scene::{Example, Material, MaterialChoice, Scene, Shape, ShapeKind};
+use catoptric_scene::{Example, Material, MaterialChoice, Phong, Scene, Shape, ShapeKind};
 use glam::DVec3;
 
 use crate::common::{label, save, scene};
@@ -66,7 +66,10 @@ impl Chance {
                 .materials
                 .get(self.below(scene.materials.len()))
                 .map_or_else(MaterialChoice::default, |named| MaterialChoice::Named(named.name.clone())),
-            _ => MaterialChoice::Inline(Box::new(Material { ior: self.number(), ..Material::default() })),
+            _ => MaterialChoice::Inline(Box::new(Material::Phong(Phong {
+                ior: self.number(),
+                ..Phong::default()
+            }))),
         }
     }
 
@@ -130,7 +133,9 @@ impl Chance {
             2 => editor
                 .change_bodies([index, 1, index], label, |_, body| body.shape = Shape::Cube { size: vector }),
             3 => editor.change_light(index, label, |light| light.intensity = number),
-            4 => editor.change_material(index, label, |material| material.shininess = number),
+            4 => editor.change_material(index, label, |material| {
+                material.as_phong_mut().unwrap().shininess = number;
+            }),
             5 => editor.change_camera(label, |camera| *camera = navigate::orbit(camera, number, vector.x)),
             6 => editor.change_environment(label, |environment| environment.background.b = number),
             7 => editor.change_tracing(label, |tracing| tracing.threshold = number / 10.0),

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use catoptric_gpu::{Gpu, GpuChoice, GpuError, GpuFilm, GpuScene, render};
-use catoptric_scene::{Body, Color, Material, MaterialChoice, Scene};
+use catoptric_scene::{Body, Color, Material, MaterialChoice, Phong, Scene};
 use catoptric_tracer::shaders::UnsupportedOnGpu;
 use catoptric_tracer::{RenderControl, RenderSettings};
 
@@ -97,14 +97,14 @@ fn a_card_that_is_not_there_is_an_error() {
 
 /// Panes between which rays double at every step.
 fn panes(generations: u32) -> Scene {
-    let pane = Material {
+    let pane = Material::Phong(Phong {
         diffuse: 0.0,
         specular: 0.0,
         reflection: Some(0.5),
         transmission: 0.5,
         ior: 1.5,
-        ..Material::default()
-    };
+        ..Phong::default()
+    });
     let body = |at: u32| Body {
         shape: catoptric_scene::Shape::Cube { size: glam::DVec3::new(1e3, 1e3, 0.1) },
         placement: catoptric_scene::Placement::at(glam::DVec3::new(0.0, 0.0, -f64::from(at))),
@@ -131,14 +131,14 @@ fn trees_without_end_are_refused() {
 
 /// Glass balls one in the other: `count` of them around the origin.
 fn onion(count: usize) -> Scene {
-    let glass = Material {
-        color: Color { r: 0.0, g: 0.0, b: 0.0 },
+    let glass = Material::Phong(Phong {
+        pattern: Color { r: 0.0, g: 0.0, b: 0.0 }.into(),
         specular: 0.0,
         reflection: Some(0.0),
         transmission: 1.0,
         ior: 1.1,
-        ..Material::default()
-    };
+        ..Phong::default()
+    });
     let skin = |index: usize| Body {
         shape: catoptric_scene::Shape::Sphere { radius: 1.0 + 0.1 * index as f64 },
         material: MaterialChoice::Inline(Box::new(glass.clone())),

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use catoptric_gpu::{Gpu, GpuFilm, GpuScene, render};
-use catoptric_scene::{Body, Light, Material, MaterialChoice, Model, Projection, Scene, Shape};
+use catoptric_scene::{Body, Light, Material, MaterialChoice, Model, Phong, Projection, Scene, Shape};
 use catoptric_tracer::{RenderControl, RenderScene, RenderSettings};
 use glam::DVec3;
 
@@ -12,7 +12,7 @@ use crate::common::{card, stage_of};
 /// A lattice of balls and cubes, some of glass.
 fn lattice(count: usize) -> Scene {
     let side = (count as f64).cbrt().ceil() as usize;
-    let glass = Material { transmission: 0.9, ior: 1.3, ..Material::default() };
+    let glass = Material::Phong(Phong { transmission: 0.9, ior: 1.3, ..Phong::default() });
     let body = |index: usize| {
         let [x, y, z] = [index % side, index / side % side, index / side / side].map(|at| at as f64 - 2.0);
         let mut body = Body::default();
@@ -98,7 +98,7 @@ fn an_edit_sends_only_what_it_changed() {
     assert!(reshaped < 4096, "{reshaped}");
     follower.check();
     let recolored = follower.edit(501, |body| {
-        let material = Material { reflection: Some(0.7), ..Material::default() };
+        let material = Material::Phong(Phong { reflection: Some(0.7), ..Phong::default() });
         body.material = MaterialChoice::Inline(Box::new(material));
     });
     assert!((104..4096).contains(&recolored), "{recolored}");
@@ -111,7 +111,8 @@ fn a_material_that_becomes_physical_changes_the_form_of_all() {
     let (mut follower, _) = Follower::new(gpu, lattice(100));
     for model in [Model::Coated, Model::Conductor, Model::Dielectric] {
         let sent = follower.edit(7, |body| {
-            let material = Material { model, roughness: 0.4, ..Material::default() };
+            let mut material = Material::from(model);
+            material.roughness_mut().map(|roughness| *roughness = 0.4).unwrap();
             body.material = MaterialChoice::Inline(Box::new(material));
         });
         assert!(sent > 0);

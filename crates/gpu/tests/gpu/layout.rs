@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use catoptric_picture::Picture;
 use catoptric_scene::{
-    Body, Camera, Checker, Color, Environment, Image, Light, Material, MaterialChoice, Projection, Scene,
-    Sky, Surroundings,
+    Body, Camera, Checker, Color, Environment, Image, Light, Material, MaterialChoice, Pattern, Phong,
+    Projection, Scene, Sky, Surroundings,
 };
 use catoptric_tracer::shaders::{
     AtlasTexel, CameraRaysBytes, FILM_HEAD, FILM_PIXEL, FrameUniforms, PhysicalFeatures, SceneArrays,
@@ -44,8 +44,12 @@ fn word(bytes: &[u8], at: usize) -> u32 {
 
 /// A scene in which every number is another one.
 fn scene(bodies: usize) -> Scene {
-    let material = Material {
-        color: Color { r: 0.11, g: 0.12, b: 0.13 },
+    let material = Material::Phong(Phong {
+        pattern: Pattern {
+            color: Color { r: 0.11, g: 0.12, b: 0.13 },
+            checker: Some(Checker { size: 0.5, ..Checker::default() }),
+            ..Pattern::default()
+        },
         ambient: 0.14,
         diffuse: 0.15,
         specular: 0.16,
@@ -53,9 +57,8 @@ fn scene(bodies: usize) -> Scene {
         reflection: Some(0.18),
         transmission: 0.5,
         ior: 1.9,
-        checker: Some(Checker { size: 0.5, ..Checker::default() }),
-        ..Material::default()
-    };
+        ..Phong::default()
+    });
     let body = |index: usize| {
         let mut body =
             Body { material: MaterialChoice::Inline(Box::new(material.clone())), ..Body::default() };
@@ -202,7 +205,10 @@ fn pictures_lie_where_their_records_point() {
     scene.environment.surroundings = Surroundings::Picture(around.clone());
     let textures = [Some(first.clone()), Some(second.clone()), Some(around), Some(first), None];
     let of = |texture| Body {
-        material: MaterialChoice::Inline(Box::new(Material { texture, ..Material::default() })),
+        material: MaterialChoice::Inline(Box::new(Material::Phong(Phong {
+            pattern: Pattern { texture, ..Pattern::default() },
+            ..Phong::default()
+        }))),
         ..Body::default()
     };
     scene.bodies = textures.map(of).into();
@@ -229,7 +235,7 @@ fn pictures_lie_where_their_records_point() {
     let widths: Vec<u32> =
         found.iter().filter(|color| **color < 0.0).map(|color| sizes[(-1.0 - color) as usize][0]).collect();
     assert_eq!(widths, [100, 1, 3]);
-    assert_eq!(found[3], Material::default().color.r as f32);
+    assert_eq!(found[3], Pattern::default().color.r as f32);
 }
 
 #[test]

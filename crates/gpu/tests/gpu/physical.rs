@@ -3,8 +3,9 @@
 
 use catoptric_picture::{Difference, Picture};
 use catoptric_scene::{
-    Body, Checker, Color, Conductor, Example, Falloff, Light, Material, MaterialChoice, Model, Placement,
-    Projection, Scene, Shape,
+    Attenuation, Body, Checker, Coated, Color, Conductor, Dielectric, Example, Falloff, Light, Material,
+    MaterialChoice, Matte, MetalOptics, Mirror, Pattern, Phong, Placement, Projection, RefractiveIndex,
+    Scene, Shape,
 };
 use glam::DVec3;
 
@@ -48,34 +49,29 @@ impl Numbers {
     fn material(&mut self) -> Material {
         let checker =
             (self.below(2) == 0).then(|| Checker { color: self.color(), size: 0.3, ..Checker::default() });
-        let own =
-            Material { color: self.color(), roughness: self.roughness(), checker, ..Material::default() };
+        let pattern = Pattern { color: self.color(), checker, texture: None };
+        let roughness = self.roughness();
         match self.below(8) {
-            0 => Material { model: Model::Conductor, ..own },
+            0 => Conductor { roughness, ..Conductor::default() }.into(),
             1 => {
                 let [n, k] = [0.2, 3.0].map(|most| DVec3::from([0; 3].map(|_| self.between(0.1, most))));
-                Material { model: Model::Conductor, conductor: Conductor::Index { n, k }, ..own }
+                Conductor { metal: MetalOptics::Index { n, k }, roughness }.into()
             }
-            2 => Material { model: Model::Mirror, reflection: Some(0.9), ..own },
-            3 => Material { model: Model::Coated, ior: self.between(1.0, 2.5), ..own },
-            4 => Material { model: Model::Matte, ..own },
-            5 => Material { specular: 0.4, transmission: 0.5, ior: 1.4, roughness: 0.0, ..own },
-            _ => self.glass(own),
+            2 => Mirror { pattern, reflection: Some(0.9), roughness }.into(),
+            3 => Coated { pattern, ior: self.between(1.0, 2.5), roughness, ..Coated::default() }.into(),
+            4 => Matte { pattern, ..Matte::default() }.into(),
+            5 => Phong { pattern, specular: 0.4, transmission: 0.5, ior: 1.4, ..Phong::default() }.into(),
+            _ => self.glass(roughness).into(),
         }
     }
 
-    fn glass(&mut self, own: Material) -> Material {
-        Material {
-            model: Model::Dielectric,
-            // An index of 1 is no surface at all.
-            ior: [1.0, 1.2, 1.5, 2.4][self.below(4) as usize],
-            dispersion: self.below(2) == 0,
-            abbe: self.between(5.0, 60.0),
-            attenuation_color: self.color(),
-            attenuation_distance: self.between(0.2, 3.0),
-            checker: None,
-            ..own
-        }
+    fn glass(&mut self, roughness: f64) -> Dielectric {
+        // An index of 1 is no surface at all.
+        let ior = [1.0, 1.2, 1.5, 2.4][self.below(4) as usize];
+        let dispersion = self.below(2) == 0;
+        let index = RefractiveIndex::Own { ior, abbe: self.between(5.0, 60.0) };
+        let attenuation = Attenuation { color: self.color(), distance: self.between(0.2, 3.0) };
+        Dielectric { index, dispersion, attenuation, roughness }
     }
 
     fn body(&mut self) -> Body {
@@ -136,8 +132,8 @@ fn any_materials_in_one_another_are_those_of_the_cpu() {
         let mut scene = numbers.scene(if number % 3 == 0 { 20 } else { 6 });
         match number % 4 {
             1 => {
-                let glass = numbers.glass(Material::default());
-                scene.bodies[0].material = MaterialChoice::Inline(Box::new(glass));
+                let glass = numbers.glass(0.0);
+                scene.bodies[0].material = MaterialChoice::own(glass);
                 scene.bodies[0].placement = Placement::at(scene.camera.position);
             }
             3 => scene.camera.projection = Projection::Parallel { height: 4.0 },
@@ -166,7 +162,7 @@ fn close_by(material: Material) -> Scene {
         ..Body::default()
     };
     let light = |position, radius| Light { position, radius, intensity: 1.5, ..Light::default() };
-    let floor = Material { model: Model::Matte, ..Material::default() };
+    let floor = Material::Matte(Matte::default());
     let mut scene = Scene {
         bodies: [
             body(Shape::Sphere { radius: 1.0 }, DVec3::new(-1.1, 0.0, 0.0), material.clone()),
@@ -188,22 +184,24 @@ fn close_by(material: Material) -> Scene {
 #[test]
 fn materials_close_by_are_those_of_the_cpu() {
     let Some(card) = card("materials_close_by_are_those_of_the_cpu") else { return };
-    let of = |model, roughness| Material { model, roughness, ..Material::default() };
     let amber = Color { r: 0.9, g: 0.5, b: 0.1 };
     let checker = Some(Checker { color: amber, size: 0.3, ..Checker::default() });
-    let tinted = |roughness| Material {
-        attenuation_color: amber,
-        attenuation_distance: 0.5,
-        ..of(Model::Dielectric, roughness)
-    };
-    let materials = [
-        ("frosted glass", tinted(0.4)),
-        ("tinted glass", tinted(0.0)),
-        ("frosted glass that splits light", Material { dispersion: true, abbe: 20.0, ..tinted(0.2) }),
-        ("brushed metal", of(Model::Conductor, 0.3)),
-        ("a rough mirror", Material { checker, ..of(Model::Mirror, 0.5) }),
-        ("lacquer", Material { checker, ..of(Model::Coated, 0.0) }),
-        ("rough lacquer", Material { checker, ..of(Model::Coated, 0.6) }),
+    let attenuation = Attenuation { color: amber, distance: 0.5 };
+    let tinted = |roughness| Dielectric { attenuation, roughness, ..Dielectric::default() };
+    let splitting = RefractiveIndex::Own { ior: 1.5, abbe: 20.0 };
+    let pattern = || Pattern { checker, ..Pattern::default() };
+    let coated = |roughness| Coated { pattern: pattern(), roughness, ..Coated::default() };
+    let materials: [(&str, Material); 7] = [
+        ("frosted glass", tinted(0.4).into()),
+        ("tinted glass", tinted(0.0).into()),
+        (
+            "frosted glass that splits light",
+            Dielectric { index: splitting, dispersion: true, ..tinted(0.2) }.into(),
+        ),
+        ("brushed metal", Conductor { roughness: 0.3, ..Conductor::default() }.into()),
+        ("a rough mirror", Mirror { pattern: pattern(), roughness: 0.5, ..Mirror::default() }.into()),
+        ("lacquer", coated(0.0).into()),
+        ("rough lacquer", coated(0.6).into()),
     ];
     let mut pictures: Vec<Picture> = Vec::new();
     for (name, material) in materials {
@@ -236,10 +234,16 @@ fn several_samples_are_those_of_the_cpu() {
 #[test]
 fn waves_that_go_straight_on_are_those_of_the_cpu() {
     let Some(card) = card("waves_that_go_straight_on_are_those_of_the_cpu") else { return };
-    let glass =
-        |ior| Material { model: Model::Dielectric, ior, dispersion: true, abbe: 20.0, ..Material::default() };
+    let glass = |ior| {
+        Material::Dielectric(Dielectric {
+            index: RefractiveIndex::Own { ior, abbe: 20.0 },
+            dispersion: true,
+            ..Dielectric::default()
+        })
+    };
     // Phong's bodies reflect even where nothing is bent, so that something waits in every generation.
-    let pane = Material { reflection: Some(0.5), transmission: 0.5, ior: 1.0, ..Material::default() };
+    let pane =
+        Material::Phong(Phong { reflection: Some(0.5), transmission: 0.5, ior: 1.0, ..Phong::default() });
     let slab = |at: f64, material| Body {
         shape: Shape::Cube { size: DVec3::new(8.0, 8.0, 0.1) },
         placement: Placement::at(DVec3::new(0.0, 0.0, -at)),

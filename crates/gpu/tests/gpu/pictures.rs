@@ -6,8 +6,8 @@ use std::sync::Arc;
 use catoptric_gpu::{GpuFilm, GpuScene, render};
 use catoptric_picture::{Difference, Picture};
 use catoptric_scene::{
-    Anchor, Body, Checker, Color, Image, Light, Material, MaterialChoice, Model, Placement, Projection,
-    Scene, Shape, Sky, Surroundings,
+    Anchor, Body, Checker, Coated, Color, Image, Light, Material, MaterialChoice, Mirror, Model, Pattern,
+    Phong, Placement, Projection, Scene, Shape, Sky, Surroundings,
 };
 use catoptric_tracer::{RenderControl, RenderScene, RenderSettings};
 use glam::DVec3;
@@ -64,17 +64,25 @@ fn shapes(material: &Material, floor: &Material) -> Scene {
 fn textures_of_all_shapes_are_those_of_the_cpu() {
     let Some(card) = card("textures_of_all_shapes_are_those_of_the_cpu") else { return };
     let checker = Some(Checker { size: 0.3, ..Checker::default() });
-    let floor = Material { texture: Some(patches("floor", 3, 2, 0.8)), ..Material::default() };
-    let glass = Material { transmission: 0.5, ior: 1.2, ..Material::default() };
+    let floor = Material::Phong(Phong {
+        pattern: Pattern { texture: Some(patches("floor", 3, 2, 0.8)), ..Pattern::default() },
+        ..Phong::default()
+    });
+    let glass = Material::Phong(Phong { transmission: 0.5, ior: 1.2, ..Phong::default() });
     let models = [
-        ("phong", Material { checker, ..Material::default() }),
+        (
+            "phong",
+            Material::Phong(Phong { pattern: Pattern { checker, ..Pattern::default() }, ..Phong::default() }),
+        ),
         ("clear phong", glass),
-        ("mirror", Material { model: Model::Mirror, ..Material::default() }),
-        ("coated", Material { model: Model::Coated, roughness: 0.3, ..Material::default() }),
+        ("mirror", Material::Mirror(Mirror::default())),
+        ("coated", Material::Coated(Coated { roughness: 0.3, ..Coated::default() })),
     ];
     for (name, material) in models {
         let of = |image: Image| {
-            let mut scene = shapes(&Material { texture: Some(image), ..material.clone() }, &floor);
+            let mut material: Material = material.clone();
+            material.pattern_mut().unwrap().texture = Some(image);
+            let mut scene = shapes(&material, &floor);
             scene.environment.surroundings = Surroundings::Sky(Sky::default());
             stage_of(&scene)
         };
@@ -96,8 +104,7 @@ fn surrounded(
     rotation: f64,
     target: DVec3,
 ) -> RenderScene {
-    let material = Material { model, ..Material::default() };
-    let ball = body(Shape::Sphere { radius: 0.6 }, DVec3::new(0.0, 0.0, -3.0), &material);
+    let ball = body(Shape::Sphere { radius: 0.6 }, DVec3::new(0.0, 0.0, -3.0), &model.into());
     let mut scene = Scene { bodies: [ball].into(), lights: vec![Light::default()], ..Scene::default() };
     scene.camera.position = DVec3::ZERO;
     scene.camera.target = target;
@@ -155,8 +162,11 @@ fn an_edit_sends_pictures_that_are_new() {
     const ROW: u64 = 8192 * 16;
     let Some(card) = card("an_edit_sends_pictures_that_are_new") else { return };
     let [first, second] = ["first", "second"].map(|name| patches(name, 64, 32, 1.0));
-    let textured = |image: &Image| Material { texture: Some(image.clone()), ..Material::default() };
-    let mut scene = shapes(&textured(&first), &Material::default());
+    let textured = |image: &Image| Phong {
+        pattern: Pattern { texture: Some(image.clone()), ..Pattern::default() },
+        ..Phong::default()
+    };
+    let mut scene = shapes(&textured(&first).into(), &Material::default());
     scene.environment.surroundings = Surroundings::Picture(patches("around", 200, 100, 1.0));
     let mut on_card = GpuScene::new(&card).unwrap();
     let render_scene = stage_of(&scene);
@@ -181,10 +191,10 @@ fn an_edit_sends_pictures_that_are_new() {
         }
     };
     let moved = edit(&|scene| scene.camera.position.x += 0.1);
-    let recolored = edit(&give(Material { reflection: Some(0.4), ..textured(&first) }));
+    let recolored = edit(&give(Phong { reflection: Some(0.4), ..textured(&first) }.into()));
     let turned = edit(&|scene| scene.environment.rotation_degrees = 30.0);
     assert!([moved, recolored, turned].into_iter().all(|sent| sent < 4096), "{moved} {recolored} {turned}");
-    let more = edit(&give(textured(&second)));
+    let more = edit(&give(textured(&second).into()));
     assert!((3 * ROW..4 * ROW).contains(&more), "{more}");
     let fewer = edit(&|scene| scene.environment.surroundings = Surroundings::Even);
     assert!((ROW..2 * ROW).contains(&fewer), "{fewer}");

@@ -117,7 +117,7 @@ impl Inapplicable {
             return Some(Self::RoughLens { body });
         }
         let Some(radius) = radius(lens.body) else { return Some(Self::UnevenLens { body }) };
-        let ior = material.ior();
+        let ior = material.ior()?;
         if ior >= 2.0 {
             return Some(Self::FocusInside { body });
         }

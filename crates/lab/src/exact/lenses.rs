@@ -18,7 +18,7 @@ pub(super) fn answer(setting: &ExactSetup<'_>, found: &mut AnswerCollector) {
 fn focus(setting: &ExactSetup<'_>, lens: &PlacedBody<'_>, radius: f64) -> Option<ExactAnswer> {
     /// Near enough to the axis for the aberration to vanish, far enough for single precision.
     const PARAXIAL: f64 = 0.01;
-    let ior = setting.scene.material(&lens.body.material)?.ior();
+    let ior = setting.scene.material(&lens.body.material)?.ior()?;
     let axis = match setting.parallel_view() {
         Some(view) => view,
         None => (lens.center - setting.scene.camera.position).try_normalize()?,

@@ -51,7 +51,10 @@ impl Probe {
         origin: DVec3,
     ) -> Option<Self> {
         let own = |body: &Body| {
-            let material = Material { dispersion: false, ..scene.material(&body.material)?.clone() };
+            let mut material = scene.material(&body.material)?.clone();
+            if let Material::Dielectric(dielectric) = &mut material {
+                dielectric.dispersion = false;
+            }
             let placement = body.placement.moved_by(-origin);
             Some(Body { material: MaterialChoice::Inline(Box::new(material)), placement, ..body.clone() })
         };

@@ -4,7 +4,7 @@ use std::panic::AssertUnwindSafe;
 
 use catoptric_lab::audit::{Audit, AuditError, AuditSettings, NodeKind, Proof, audit};
 use catoptric_picture::Picture;
-use catoptric_scene::{Color, Example, Material, Scene};
+use catoptric_scene::{Color, Example, Material, Phong, Scene};
 use catoptric_tracer::{BranchOutcome, ReflectionModel, RenderControl, RenderScene, RenderSettings, render};
 use glam::{DVec3, UVec2, Vec3};
 use proptest::prelude::*;
@@ -151,15 +151,15 @@ fn every_pixel_of_the_examples_is_audited_exactly() {
 }
 
 fn glass_heap() -> Scene {
-    let glass = Material {
+    let glass = Material::Phong(Phong {
         transmission: 0.9,
         reflection: Some(0.4),
         ambient: 0.0,
         diffuse: 0.0,
         specular: 0.5,
         ior: 1.5,
-        ..Material::default()
-    };
+        ..Phong::default()
+    });
     let balls = (0..27).map(|number| {
         let at = [number % 3, number / 3 % 3, number / 9].map(|step| 0.7 * f64::from(step) - 0.7);
         ball(0.4, DVec3::from(at) + DVec3::Y, glass.clone())

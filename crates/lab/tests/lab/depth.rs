@@ -2,7 +2,8 @@
 
 use catoptric_lab::depth::{ALLOWED_LOSS, DepthBound, DepthMeasure, ExcessKind, excess_of, excesses};
 use catoptric_scene::{
-    Checker, Color, Example, Image, Material, MaterialChoice, Model, NamedMaterial, Scene, Shape,
+    Checker, Color, Example, Image, Material, MaterialChoice, Matte, NamedMaterial, Pattern, Phong, Scene,
+    Shape,
 };
 use catoptric_tracer::{RenderControl, RenderError, RenderScene, RenderSettings, render};
 use glam::{DVec3, UVec2};
@@ -10,13 +11,13 @@ use glam::{DVec3, UVec2};
 use crate::scenes::{ball, body};
 
 fn mirror(reflection: f64) -> Material {
-    Material {
-        color: Color::WHITE,
+    Material::Phong(Phong {
+        pattern: Color::WHITE.into(),
         ambient: 1.0,
         diffuse: 0.0,
         reflection: Some(reflection),
-        ..Material::default()
-    }
+        ..Phong::default()
+    })
 }
 
 fn between_mirrors(first: f64, second: f64) -> Scene {
@@ -61,7 +62,7 @@ fn two_mirrors_are_a_series_of_their_product() {
 
 #[test]
 fn glass_may_keep_all_light_inside() {
-    let glass = Material { transmission: 0.5, reflection: Some(0.1), ..Material::default() };
+    let glass = Material::Phong(Phong { transmission: 0.5, reflection: Some(0.1), ..Phong::default() });
     let scene = Scene { bodies: std::iter::once(ball(1.0, DVec3::Y, glass)).collect(), ..Scene::default() };
     assert_eq!((bound(&scene).factor, bound(&scene).generations), (1.0, None));
 }
@@ -119,16 +120,16 @@ fn a_measurement_can_be_cancelled() {
 
 #[test]
 fn materials_that_give_more_than_they_get_are_named_with_the_number() {
-    let material = Material {
-        color: Color::new(0.5, 1.0, 0.2),
+    let material = Material::Phong(Phong {
+        pattern: Color::new(0.5, 1.0, 0.2).into(),
         diffuse: 0.8,
         reflection: Some(0.3),
         transmission: 0.2,
         tint: Color::new(1.0, 0.5, 1.0),
         specular: 3.0,
         shininess: 1.0,
-        ..Material::default()
-    };
+        ..Phong::default()
+    });
     let found: Vec<(ExcessKind, f64)> = excess_of(&material).collect();
     let [(surface, amount), (highlight, share)] = found[..] else { panic!("{found:?}") };
     let ExcessKind::Surface { channel, diffuse, reflection, transmission } = surface else { panic!() };
@@ -136,21 +137,25 @@ fn materials_that_give_more_than_they_get_are_named_with_the_number() {
     assert!((amount - 1.2).abs() < 1e-12);
     assert_eq!((highlight, share), (ExcessKind::Highlight, 2.0));
     // As much as it gets is no excess, and a checker's second color counts.
-    let fair = Material { color: Color::WHITE, diffuse: 0.9, reflection: Some(0.1), ..Material::default() };
-    assert_eq!(excess_of(&fair).count(), 0);
+    let fair =
+        |pattern| Material::Phong(Phong { pattern, diffuse: 0.9, reflection: Some(0.1), ..Phong::default() });
+    assert_eq!(excess_of(&fair(Color::WHITE.into())).count(), 0);
     let checker = Some(Checker { color: Color::gray(1.2), size: 1.0, ..Checker::default() });
-    assert_eq!(excess_of(&Material { checker, ..fair.clone() }).count(), 1);
+    assert_eq!(excess_of(&fair(Pattern { checker, ..Color::WHITE.into() })).count(), 1);
     // A color under a picture is not seen; the brightest pixel counts.
-    let under = Material { model: Model::Matte, color: Color::gray(2.0), ..fair.clone() };
-    assert_eq!(excess_of(&under).count(), 1);
+    let under = |texture| {
+        let pattern = Pattern { texture, ..Color::gray(2.0).into() };
+        Material::Matte(Matte { pattern, ..Matte::default() })
+    };
+    assert_eq!(excess_of(&under(None)).count(), 1);
     for (name, count) in [("builtin:grid", 0), ("builtin:evening", 1)] {
         let texture = Some(Image::open(name, None).unwrap());
-        assert_eq!(excess_of(&Material { texture, ..under.clone() }).count(), count, "{name}");
+        assert_eq!(excess_of(&under(texture)).count(), count, "{name}");
     }
 
     let materials = vec![NamedMaterial { name: "lamp".to_owned(), material }];
     let mut scene = Scene { materials, ..Scene::default() };
-    let plain = ball(1.0, DVec3::ZERO, fair);
+    let plain = ball(1.0, DVec3::ZERO, fair(Color::WHITE.into()));
     let mut shining = plain.clone();
     shining.material = MaterialChoice::Named("lamp".to_owned());
     scene.bodies = [plain, shining.clone(), shining].into_iter().collect();
@@ -171,8 +176,13 @@ fn the_energy_of_a_highlight_is_that_of_its_integral() {
         let width = std::f64::consts::FRAC_PI_2 / f64::from(steps);
         let integral: f64 = 2.0 * std::f64::consts::PI * (0..steps).map(slice).sum::<f64>() * width;
         let specular = 10.0;
-        let material =
-            Material { diffuse: 0.0, reflection: Some(0.0), specular, shininess, ..Material::default() };
+        let material = Material::Phong(Phong {
+            diffuse: 0.0,
+            reflection: Some(0.0),
+            specular,
+            shininess,
+            ..Phong::default()
+        });
         let wanted = specular * integral / std::f64::consts::PI;
         match excess_of(&material).next() {
             Some((ExcessKind::Highlight, share)) => assert!((share - wanted).abs() < 1e-6),

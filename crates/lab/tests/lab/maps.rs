@@ -1,7 +1,7 @@
 //! Maps against pictures and trees.
 
 use catoptric_lab::maps::{Map, MapKind, MapSettings, map};
-use catoptric_scene::{Color, Example, Material, Scene, Shape, Tracing};
+use catoptric_scene::{Color, Example, Material, Phong, Scene, Shape, Tracing};
 use catoptric_tracer::{RenderControl, RenderError, RenderScene, RenderSettings, WhittedIntegrator, render};
 use glam::{DVec3, UVec2};
 
@@ -20,13 +20,13 @@ fn made(scene: &Scene, kind: MapKind, picture: RenderSettings) -> Map {
 
 /// Two mirrors face to face, that reflect `rho` and give 1 of their own; the camera between them.
 fn corridor(rho: f64, generations: u32) -> Scene {
-    let glow = Material {
-        color: Color::WHITE,
+    let glow = Material::Phong(Phong {
+        pattern: Color::WHITE.into(),
         ambient: 1.0,
         diffuse: 0.0,
         reflection: Some(rho),
-        ..Material::default()
-    };
+        ..Phong::default()
+    });
     let wall = |x: f64| body(Shape::Cube { size: DVec3::new(1.0, 100.0, 100.0) }, DVec3::X * x, glow.clone());
     let mut scene = Scene { bodies: [wall(-2.0), wall(2.0)].into_iter().collect(), ..Scene::default() };
     scene.camera.position = DVec3::ZERO;
@@ -134,14 +134,14 @@ fn maps_have_legends_with_round_scales() {
 
 #[test]
 fn a_pixel_with_too_many_rays_is_told() {
-    let glass = Material {
+    let glass = Material::Phong(Phong {
         transmission: 1.0,
         reflection: Some(1.0),
         ambient: 0.0,
         diffuse: 0.0,
         specular: 0.0,
-        ..Material::default()
-    };
+        ..Phong::default()
+    });
     let mut scene =
         Scene { bodies: std::iter::once(ball(1.0, DVec3::Y, glass)).collect(), ..Scene::default() };
     scene.tracing.generations = 64;

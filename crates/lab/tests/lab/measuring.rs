@@ -10,7 +10,7 @@ use catoptric_lab::measure::{
 use catoptric_lab::report::{Language, MeasurementReport, study};
 use catoptric_picture::decode;
 use catoptric_scene::{
-    Body, Camera, Example, Material, MaterialChoice, Placement, Projection, Scene, Shape, Tracing,
+    Body, Camera, Example, Material, MaterialChoice, Phong, Placement, Projection, Scene, Shape, Tracing,
 };
 use catoptric_tracer::raster::MethodKind;
 use catoptric_tracer::{AcceleratorChoice, RayCounts, RenderControl, RenderScene, RenderSettings, render};
@@ -22,13 +22,13 @@ fn panes() -> Scene {
     let pane = |number: i32| Body {
         shape: Shape::Cube { size: DVec3::new(1000.0, 1000.0, 0.5) },
         placement: Placement::at(DVec3::new(0.0, 0.0, f64::from(number) + 0.5)),
-        material: MaterialChoice::Inline(Box::new(Material {
+        material: MaterialChoice::Inline(Box::new(Material::Phong(Phong {
             ambient: 0.1,
             reflection: Some(0.5),
             transmission: 0.5,
             ior: 1.5,
-            ..Material::default()
-        })),
+            ..Phong::default()
+        }))),
         ..Body::default()
     };
     Scene {

@@ -2,8 +2,9 @@
 
 use catoptric_optics::{CLEAR, METALS};
 use catoptric_scene::{
-    Anchor, Body, Camera, Checker, Color, Conductor, Falloff, Light, Material, MaterialChoice, Model,
-    Placement, Projection, Scene, Shape, Tracing,
+    Anchor, Attenuation, Body, Camera, Checker, Coated, Color, Conductor, Dielectric, Falloff, Light,
+    Material, MaterialChoice, Matte, MetalOptics, Mirror, Model, Pattern, Phong, Placement, Projection,
+    RefractiveIndex, Scene, Shape, Tracing,
 };
 use glam::DVec3;
 use proptest::prelude::*;
@@ -37,29 +38,32 @@ fn color() -> impl Strategy<Value = Color> {
 
 fn material() -> impl Strategy<Value = Material> {
     let opaque = (color(), 0.0..1.0_f64, 0.0..0.9_f64, 1.0..100.0_f64).prop_map(
-        |(color, diffuse, specular, shininess)| Material {
-            color,
-            diffuse,
-            specular,
-            shininess,
-            ..Material::default()
+        |(color, diffuse, specular, shininess)| {
+            Material::Phong(Phong { pattern: color.into(), diffuse, specular, shininess, ..Phong::default() })
         },
     );
-    let checkered = (color(), color(), 0.2..1.0_f64).prop_map(|(color, other, size)| Material {
-        color,
-        checker: Some(Checker { color: other, size, ..Checker::default() }),
-        ..Material::default()
+    let checkered = (color(), color(), 0.2..1.0_f64).prop_map(|(color, other, size)| {
+        Material::Phong(Phong {
+            pattern: Pattern {
+                color,
+                checker: Some(Checker { color: other, size, ..Checker::default() }),
+                ..Pattern::default()
+            },
+            ..Phong::default()
+        })
     });
     let clear = (color(), 0.4..1.0_f64, 0.0..0.5_f64, 0.7..2.0_f64).prop_map(
-        |(tint, transmission, reflection, ior)| Material {
-            ambient: 0.02,
-            diffuse: 0.1,
-            specular: 0.4,
-            tint,
-            transmission,
-            reflection: Some(reflection),
-            ior,
-            ..Material::default()
+        |(tint, transmission, reflection, ior)| {
+            Material::Phong(Phong {
+                ambient: 0.02,
+                diffuse: 0.1,
+                specular: 0.4,
+                tint,
+                transmission,
+                reflection: Some(reflection),
+                ior,
+                ..Phong::default()
+            })
         },
     );
     prop_oneof![2 => opaque, 1 => checkered, 3 => clear]
@@ -132,16 +136,16 @@ fn physical() -> impl Strategy<Value = Material> {
     let substance = prop::option::of(prop::sample::select(CLEAR.iter().collect::<Vec<_>>()));
     let metal = prop::sample::select(METALS.iter().collect::<Vec<_>>());
     (model, color(), 0.7..2.0_f64, roughness, substance, any::<bool>(), metal).prop_map(
-        |(model, color, ior, roughness, substance, dispersion, metal)| Material {
-            model,
-            color,
-            ior,
-            roughness,
-            substance,
-            dispersion,
-            attenuation_color: color,
-            conductor: Conductor::Metal(metal),
-            ..Material::default()
+        |(model, color, ior, roughness, substance, dispersion, metal)| match model {
+            Model::Dielectric => {
+                let index = substance.map_or(ior.into(), RefractiveIndex::Substance);
+                let attenuation = Attenuation { color, ..Attenuation::default() };
+                Dielectric { index, dispersion, attenuation, roughness }.into()
+            }
+            Model::Conductor => Conductor { metal: MetalOptics::Metal(metal), roughness }.into(),
+            Model::Mirror => Mirror { pattern: color.into(), roughness, ..Mirror::default() }.into(),
+            Model::Coated => Coated { pattern: color.into(), ior, roughness, ..Coated::default() }.into(),
+            Model::Phong | Model::Matte => Matte { pattern: color.into(), ..Matte::default() }.into(),
         },
     )
 }

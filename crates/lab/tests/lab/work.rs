@@ -1,7 +1,7 @@
 //! Rays estimated before tracing, against those that tracing counts.
 
 use catoptric_lab::work::RayEstimate;
-use catoptric_scene::{Example, Material, Model, Scene, Shape};
+use catoptric_scene::{Dielectric, Example, Material, Scene, Shape};
 use catoptric_tracer::{RenderControl, RenderError, RenderScene, RenderSettings, render};
 use glam::{DVec3, UVec2};
 
@@ -9,7 +9,7 @@ use crate::scenes::{ball, body};
 
 /// A hollow ball of glass on a floor.
 fn hollow(generations: u32) -> Scene {
-    let clear = |ior: f64| Material { model: Model::Dielectric, ior, ..Material::default() };
+    let clear = |ior: f64| Material::Dielectric(Dielectric { index: ior.into(), ..Dielectric::default() });
     let at = DVec3::new(0.0, 1.2, 0.0);
     let bodies = [
         body(Shape::Plane, DVec3::ZERO, Material::default()),

@@ -1,12 +1,12 @@
 //! Builds the document's types from tables. Everything absent or wrong keeps its default.
 
-use catoptric_optics::{ClearSubstance, Metal};
 use glam::DVec3;
 
 use crate::body::{Anchor, Body, Placement, Shape};
 use crate::camera::{Camera, Projection};
 use crate::format::diagnostic::{Diagnostic, Diagnostics};
 use crate::format::keys;
+use crate::format::material;
 use crate::format::message::{KeyMeaning, Message};
 use crate::format::rules::{self, BrokenRule};
 use crate::format::spec::TableSpec;
@@ -14,7 +14,7 @@ use crate::format::toml::{Span, Value, ValueKind};
 use crate::format::tree::Table;
 use crate::format::typed::Fields;
 use crate::light::{Falloff, Light};
-use crate::material::{Checker, CheckerSpace, Conductor, Material, MaterialChoice, Model};
+use crate::material::{Material, MaterialChoice};
 use crate::{Environment, Sky, Surroundings, Tracing};
 
 /// Builds the document from tables.
@@ -115,49 +115,15 @@ impl<'t> SceneBuilder<'_, 't> {
 
     pub(crate) fn material(&mut self, table: &Table<'t>) -> Material {
         let mut fields = self.fields(&keys::MATERIAL, table);
-        let default = Material::default();
-        let model = fields.choice("model");
         check_company(&mut fields, &Message::EitherOr);
-        let mut material = Material {
-            model: model.ok().flatten().and_then(Model::of_key).unwrap_or_default(),
-            color: fields.color("color").unwrap_or(default.color),
-            ambient: fields.number("ambient").unwrap_or(default.ambient),
-            diffuse: fields.number("diffuse").unwrap_or(default.diffuse),
-            specular: fields.number("specular").unwrap_or(default.specular),
-            shininess: fields.number("shininess").unwrap_or(default.shininess),
-            reflection: fields.number("reflection"),
-            transmission: fields.number("transmission").unwrap_or(default.transmission),
-            ior: fields.number("ior").unwrap_or(default.ior),
-            tint: fields.color("tint").unwrap_or(default.tint),
-            texture: fields.image("texture", "layer"),
-            checker: None,
-            substance: fields.choice("substance").ok().flatten().and_then(ClearSubstance::named),
-            dispersion: fields.flag("dispersion").unwrap_or(default.dispersion),
-            abbe: fields.number("abbe").unwrap_or(default.abbe),
-            attenuation_color: fields.color("attenuation_color").unwrap_or(default.attenuation_color),
-            attenuation_distance: fields
-                .number("attenuation_distance")
-                .unwrap_or(default.attenuation_distance),
-            conductor: conductor(&mut fields).unwrap_or(default.conductor),
-            roughness: fields.number("roughness").unwrap_or(default.roughness),
-        };
+        let mut material = material::read(&mut fields);
         if let Some(checker) = fields.child("checker") {
-            material.checker = Some(self.checker(checker));
+            let checker = material::read_checker(&mut self.fields(&keys::CHECKER, checker));
+            if let Some(pattern) = material.pattern_mut() {
+                pattern.checker = Some(checker);
+            }
         }
         material
-    }
-
-    fn checker(&mut self, table: &Table<'t>) -> Checker {
-        let mut fields = self.fields(&keys::CHECKER, table);
-        let default = Checker::default();
-        Checker {
-            color: fields.color("color").unwrap_or(default.color),
-            size: fields.number("size").unwrap_or(default.size),
-            space: match fields.choice("space") {
-                Ok(Some("body")) => CheckerSpace::Body,
-                _ => default.space,
-            },
-        }
     }
 
     /// A light, and the place of its name.
@@ -235,14 +201,6 @@ impl<'t> SceneBuilder<'_, 't> {
 
 fn table_has(table: &Table<'_>, name: &str) -> bool {
     table.get(name).is_some()
-}
-
-/// What a conductor is, if it is said.
-fn conductor(fields: &mut Fields<'_, '_, '_>) -> Option<Conductor> {
-    match fields.choice("metal") {
-        Ok(Some(name)) => Metal::named(name).map(Conductor::Metal),
-        _ => Some(Conductor::Index { n: fields.vector("n")?, k: fields.vector("k")? }),
-    }
 }
 
 /// The shape of a body; `Err` when it is not known which.

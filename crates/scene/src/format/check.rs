@@ -6,6 +6,7 @@ use std::fmt;
 use crate::Scene;
 use crate::body::{Anchor, Body, Shape};
 use crate::camera::Camera;
+use crate::format::material;
 use crate::format::message::{Collection, Component, FoundValue, Message, Subject};
 use crate::format::quote::quoted;
 use crate::format::record::{self, Datum, Record};
@@ -202,7 +203,7 @@ impl SceneValidator {
 
     fn material(&mut self, index: usize, named: &NamedMaterial) {
         let of = NamedPart { part: ScenePart::Material(index), name: &named.name };
-        self.record(&of, &record::material(&named.material));
+        self.record(&of, &material::record(&named.material));
         if named.name.is_empty() {
             self.add(&of, "name", Message::UnnamedMaterial);
         }
@@ -321,7 +322,7 @@ mod tests {
     use glam::DVec3;
 
     use super::*;
-    use crate::{Material, MaterialChoice, Placement};
+    use crate::{MaterialChoice, Phong, Placement};
 
     #[test]
     fn a_default_scene_has_no_problems() {
@@ -344,7 +345,7 @@ mod tests {
             ..Body::default()
         };
         let cube = Body { shape: Shape::CUBE, ..rod.clone() };
-        let material = Material { ior: 0.0, ..Material::default() };
+        let material = Phong { ior: 0.0, ..Phong::default() }.into();
         let mut scene = Scene {
             materials: vec![NamedMaterial { name: "m".to_owned(), material }],
             lights: vec![Light { intensity: -1.0, ..Light::default() }],
@@ -376,7 +377,7 @@ mod tests {
     fn a_part_has_the_problems_that_it_has_in_the_whole() {
         let named = |name: &str, ior| NamedMaterial {
             name: name.to_owned(),
-            material: Material { ior, ..Material::default() },
+            material: Phong { ior, ..Phong::default() }.into(),
         };
         let body = |name: &str, radius, material: &str| Body {
             name: name.to_owned(),

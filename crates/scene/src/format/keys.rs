@@ -6,14 +6,23 @@
 pub(crate) mod russian;
 
 use crate::Tracing;
+use crate::color::Color;
 use crate::format::spec::{Default, KeySpec, Kind, Limits, TableSpec};
-use crate::material::{METAL_NAMES, SUBSTANCE_NAMES};
+use crate::material::{
+    Attenuation, Checker, DEFAULT_METAL, Dielectric, METAL_NAMES, Model, Pattern, Phong, RefractiveIndex,
+    SUBSTANCE_NAMES,
+};
 
 /// Versions of the format that can be read; the last one is written.
 pub const VERSIONS: &[&str] = &["catoptric/1"];
 
 const CYLINDER_AND_CONE: &[&str] = &["cylinder", "cone"];
 const WHITE: Default = Default::Vector([1.0; 3]);
+
+/// A color as a default.
+const fn color(color: Color) -> Default {
+    Default::Vector(color.to_array())
+}
 
 /// All tables of the format.
 pub static TABLES: [&TableSpec; 9] =
@@ -140,39 +149,41 @@ pub static MATERIAL: TableSpec = TableSpec {
     name: "a material",
     doc: "How a surface answers light",
     keys: &[
-        KeySpec::new(
-            "model",
-            Kind::Choice(&["phong", "dielectric", "conductor", "mirror", "matte", "coated"]),
-            "what the surface does with light",
-        )
-        .or(Default::Text("phong")),
+        KeySpec::new("model", Kind::Choice(&MODEL_NAMES), "what the surface does with light")
+            .or(Default::Text(Model::Phong.key())),
         KeySpec::new("color", Kind::Color(Limits::AMOUNT), "the color of the body")
-            .or(Default::Vector([0.8; 3]))
+            .or(color(Pattern::DEFAULT.color))
             .only("model", &["phong", "mirror", "matte", "coated"])
             .written(),
         amount("ambient", "the ambient coefficient")
-            .or(Default::Number(0.1))
+            .or(Default::Number(Phong::DEFAULT.ambient))
             .only("model", &["phong", "matte", "coated"]),
-        amount("diffuse", "the diffuse coefficient").or(Default::Number(0.9)).only("model", PHONG),
-        amount("specular", "the coefficient of the highlight").or(Default::Number(0.0)).only("model", PHONG),
-        amount("shininess", "the exponent of the highlight").or(Default::Number(32.0)).only("model", PHONG),
+        amount("diffuse", "the diffuse coefficient")
+            .or(Default::Number(Phong::DEFAULT.diffuse))
+            .only("model", PHONG),
+        amount("specular", "the coefficient of the highlight")
+            .or(Default::Number(Phong::DEFAULT.specular))
+            .only("model", PHONG),
+        amount("shininess", "the exponent of the highlight")
+            .or(Default::Number(Phong::DEFAULT.shininess))
+            .only("model", PHONG),
         amount(
             "reflection",
             "the coefficient of reflected light; when absent, the same as `specular`, or 1 for a mirror",
         )
         .only("model", &["phong", "mirror"]),
         amount("transmission", "the coefficient of transmitted light; 0 is opaque")
-            .or(Default::Number(0.0))
+            .or(Default::Number(Phong::DEFAULT.transmission))
             .only("model", PHONG),
         KeySpec::new(
             "ior",
             Kind::Number(Limits::new(0.01, 100.0)),
             "the index of refraction relative to air",
         )
-        .or(Default::Number(1.5))
+        .or(Default::Number(RefractiveIndex::DEFAULT_IOR))
         .only("model", &["phong", "dielectric", "coated"]),
         KeySpec::new("tint", Kind::Color(Limits::AMOUNT), "the tint of transmitted light")
-            .or(WHITE)
+            .or(color(Phong::DEFAULT.tint))
             .only("model", PHONG),
         KeySpec::new("substance", Kind::Choice(&SUBSTANCE_NAMES), "what a clear body is made of")
             .only("model", DIELECTRIC)
@@ -180,24 +191,24 @@ pub static MATERIAL: TableSpec = TableSpec {
         flag("dispersion", "whether the body bends light of different colors differently")
             .only("model", DIELECTRIC),
         KeySpec::new("abbe", Kind::Number(Limits::new(1.0, 1e6)), "the Abbe number, how little it does so")
-            .or(Default::Number(58.0))
+            .or(Default::Number(RefractiveIndex::DEFAULT_ABBE))
             .only("model", DIELECTRIC),
         KeySpec::new(
             "attenuation_color",
             Kind::Color(Limits::new(0.0, 1.0)),
             "the color that white light has after `attenuation_distance` in the body",
         )
-        .or(WHITE)
+        .or(color(Attenuation::DEFAULT.color))
         .only("model", DIELECTRIC),
         KeySpec::new(
             "attenuation_distance",
             Kind::Number(Limits::LENGTH),
             "the way after which light has `attenuation_color`, meters",
         )
-        .or(Default::Number(1.0))
+        .or(Default::Number(Attenuation::DEFAULT.distance))
         .only("model", DIELECTRIC),
         KeySpec::new("metal", Kind::Choice(&METAL_NAMES), "a measured metal")
-            .or(Default::Text("silver"))
+            .or(Default::Text(DEFAULT_METAL.name))
             .only("model", CONDUCTOR)
             .written(),
         KeySpec::new(
@@ -219,7 +230,7 @@ pub static MATERIAL: TableSpec = TableSpec {
             Kind::Number(Limits::new(0.0, 1.0)),
             "how rough the surface is that reflects, 0 being smooth",
         )
-        .or(Default::Number(0.0))
+        .or(Default::Number(Dielectric::DEFAULT.roughness))
         .only("model", &["dielectric", "conductor", "mirror", "coated"]),
         KeySpec::new("texture", Kind::File, "a picture on the body in the place of its color")
             .only("model", &["phong", "mirror", "matte", "coated"]),
@@ -232,6 +243,16 @@ pub static MATERIAL: TableSpec = TableSpec {
 };
 
 const LAYER: &str = "the layer of the picture, where its file has several";
+/// Words of the models.
+const MODEL_NAMES: [&str; Model::ALL.len()] = {
+    let mut names = [""; Model::ALL.len()];
+    let mut at = 0;
+    while at < names.len() {
+        names[at] = Model::ALL[at].key();
+        at += 1;
+    }
+    names
+};
 const PHONG: &[&str] = &["phong"];
 const DIELECTRIC: &[&str] = &["dielectric"];
 const CONDUCTOR: &[&str] = &["conductor"];
@@ -242,17 +263,17 @@ pub static CHECKER: TableSpec = TableSpec {
     doc: "A checkerboard",
     keys: &[
         KeySpec::new("color", Kind::Color(Limits::AMOUNT), "the color of the odd cells")
-            .or(Default::Vector([0.2; 3]))
+            .or(color(Checker::DEFAULT.color))
             .written(),
         KeySpec::new("size", Kind::Number(Limits::LENGTH), "the edge length of a cell, meters")
-            .or(Default::Number(1.0))
+            .or(Default::Number(Checker::DEFAULT.size))
             .written(),
         KeySpec::new(
             "space",
             Kind::Choice(&["world", "body"]),
             "what the cells are at rest in; those of a body move and turn with it",
         )
-        .or(Default::Text("world")),
+        .or(Default::Text(Checker::DEFAULT.space.key())),
     ],
 };
 

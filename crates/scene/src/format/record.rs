@@ -8,10 +8,11 @@ use crate::body::{Anchor, Body, Shape};
 use crate::camera::{Camera, Projection};
 use crate::color::Color;
 use crate::format::keys;
+use crate::format::material;
 use crate::format::spec::{Default, KeySpec, TableSpec, When};
 use crate::image::Image;
 use crate::light::{Falloff, Light};
-use crate::material::{Checker, Conductor, Material, MaterialChoice, Model};
+use crate::material::MaterialChoice;
 use crate::{Environment, Sky, Surroundings, Tracing};
 
 /// A value of the document.
@@ -44,32 +45,40 @@ impl PartialEq for TableRef {
 }
 
 impl<'a> Record<'a> {
-    fn new(table: &'static TableSpec) -> Self {
+    pub(crate) fn new(table: &'static TableSpec) -> Self {
         Self { table: TableRef(table), values: Vec::with_capacity(table.keys.len()) }
     }
 
-    fn with(mut self, key: &'static str, datum: Datum<'a>) -> Self {
+    pub(crate) fn with(mut self, key: &'static str, datum: Datum<'a>) -> Self {
         self.values.push((key, datum));
         self
     }
 
-    fn number(self, key: &'static str, value: f64) -> Self {
+    pub(crate) fn number(self, key: &'static str, value: f64) -> Self {
         self.with(key, Datum::Number(value))
     }
 
-    fn vector(self, key: &'static str, value: DVec3) -> Self {
+    /// A number that is absent where it has no value of its own.
+    pub(crate) fn optional_number(self, key: &'static str, value: Option<f64>) -> Self {
+        match value {
+            Some(value) => self.number(key, value),
+            None => self,
+        }
+    }
+
+    pub(crate) fn vector(self, key: &'static str, value: DVec3) -> Self {
         self.with(key, Datum::Vector(value.to_array()))
     }
 
-    fn color(self, key: &'static str, value: Color) -> Self {
+    pub(crate) fn color(self, key: &'static str, value: Color) -> Self {
         self.with(key, Datum::Vector(value.to_array()))
     }
 
-    fn text(self, key: &'static str, value: &'a str) -> Self {
+    pub(crate) fn text(self, key: &'static str, value: &'a str) -> Self {
         self.with(key, Datum::Text(Cow::Borrowed(value)))
     }
 
-    fn flag(self, key: &'static str, value: bool) -> Self {
+    pub(crate) fn flag(self, key: &'static str, value: bool) -> Self {
         self.with(key, Datum::Flag(value))
     }
 
@@ -109,7 +118,7 @@ impl<'a> Record<'a> {
         }
     }
 
-    fn is_all_default(&self) -> bool {
+    pub(crate) fn is_all_default(&self) -> bool {
         self.values
             .iter()
             .all(|(name, datum)| self.table.0.find(name).is_some_and(|(_, key)| self.is_default(key, datum)))
@@ -163,7 +172,7 @@ pub(crate) fn environment(environment: &Environment) -> Record<'_> {
 }
 
 /// The path of a picture, and its layer.
-fn picture<'a>(record: Record<'a>, key: &'static str, image: &'a Image) -> Record<'a> {
+pub(crate) fn picture<'a>(record: Record<'a>, key: &'static str, image: &'a Image) -> Record<'a> {
     let record = record.text(key, image.path());
     match image.layer() {
         Some(layer) => record.text("layer", layer),
@@ -175,71 +184,6 @@ pub(crate) fn tracing(tracing: &Tracing) -> Record<'static> {
     Record::new(&keys::TRACING)
         .with("generations", Datum::Integer(tracing.generations))
         .number("threshold", tracing.threshold)
-}
-
-pub(crate) fn material(material: &Material) -> Record<'_> {
-    let mut record = Record::new(&keys::MATERIAL).text("model", material.model.key());
-    record = match material.model {
-        Model::Phong => phong(record, material),
-        Model::Dielectric => dielectric(record, material),
-        Model::Conductor => match material.conductor {
-            Conductor::Metal(metal) => record.text("metal", metal.name),
-            Conductor::Index { n, k } => record.vector("n", n).vector("k", k),
-        },
-        Model::Mirror => reflection(record.color("color", material.color), material),
-        Model::Matte => record.color("color", material.color).number("ambient", material.ambient),
-        Model::Coated => record
-            .color("color", material.color)
-            .number("ambient", material.ambient)
-            .number("ior", material.ior),
-    };
-    if matches!(material.model, Model::Dielectric | Model::Conductor | Model::Mirror | Model::Coated) {
-        record = record.number("roughness", material.roughness);
-    }
-    if !material.model.has_color() {
-        return record;
-    }
-    if let Some(texture) = &material.texture {
-        record = picture(record, "texture", texture);
-    }
-    if let Some(Checker { color, size, space }) = material.checker {
-        let checker = Record::new(&keys::CHECKER).color("color", color).number("size", size);
-        record = record.with("checker", Datum::Table(checker.text("space", space.key())));
-    }
-    record
-}
-
-fn phong<'a>(record: Record<'a>, material: &Material) -> Record<'a> {
-    let record = record
-        .color("color", material.color)
-        .number("ambient", material.ambient)
-        .number("diffuse", material.diffuse)
-        .number("specular", material.specular)
-        .number("shininess", material.shininess);
-    reflection(record, material)
-        .number("transmission", material.transmission)
-        .number("ior", material.ior)
-        .color("tint", material.tint)
-}
-
-/// A coefficient that is absent has a default of its own.
-fn reflection<'a>(record: Record<'a>, material: &Material) -> Record<'a> {
-    match material.reflection {
-        Some(reflection) => record.number("reflection", reflection),
-        None => record,
-    }
-}
-
-fn dielectric<'a>(record: Record<'a>, material: &Material) -> Record<'a> {
-    let record = match material.substance {
-        Some(substance) => record.text("substance", substance.name),
-        None => record.number("ior", material.ior),
-    };
-    let record = record.flag("dispersion", material.dispersion);
-    let record = if material.substance.is_none() { record.number("abbe", material.abbe) } else { record };
-    record
-        .color("attenuation_color", material.attenuation_color)
-        .number("attenuation_distance", material.attenuation_distance)
 }
 
 pub(crate) fn light(light: &Light) -> Record<'_> {
@@ -282,7 +226,7 @@ pub(crate) fn body(body: &Body) -> Record<'_> {
     record = record.number_or_vector("scale", body.placement.scale);
     record = match &body.material {
         MaterialChoice::Named(name) => record.text("material", name),
-        MaterialChoice::Inline(own) => record.with("material", Datum::Table(material(own))),
+        MaterialChoice::Inline(own) => record.with("material", Datum::Table(material::record(own))),
     };
     record.flag("hidden", body.hidden).flag("locked", body.locked)
 }
@@ -299,25 +243,6 @@ mod tests {
         assert_eq!(words, ShapeKind::ALL.map(ShapeKind::key));
         for kind in ShapeKind::ALL {
             assert_eq!(kind.shape().kind(), kind);
-        }
-    }
-
-    #[test]
-    fn the_table_and_the_types_have_the_same_models() {
-        use crate::format::spec::Kind;
-        let Kind::Choice(words) = keys::MATERIAL.key("model").unwrap().kind else { panic!() };
-        assert_eq!(words, Model::ALL.map(Model::key));
-        for model in Model::ALL {
-            let of_model = Material { model, ..Material::default() };
-            let record = material(&of_model);
-            let chosen = |name: &str| (name == "model").then_some(model.key());
-            for (name, datum) in &record.values {
-                let key = keys::MATERIAL.key(name).unwrap();
-                assert!(key.applies(chosen), "{name} for {model:?}");
-                assert!(*name == "model" || record.is_default(key, datum), "{name} of {model:?}");
-            }
-            let color = keys::MATERIAL.key("color").unwrap();
-            assert_eq!(color.applies(chosen), model.has_color());
         }
     }
 
@@ -346,7 +271,6 @@ mod tests {
         let Some(Datum::Table(sky)) = environment(&under_sky).get("sky").cloned() else { panic!() };
         assert!(sky.is_all_default());
         assert!(tracing(&Tracing::default()).is_all_default());
-        assert!(material(&Material::default()).is_all_default());
         assert!(light(&Light::default()).is_all_default());
         for shape in [Shape::SPHERE, Shape::CUBE, Shape::CYLINDER, Shape::CONE] {
             let body_of = Body { shape, ..Body::default() };
@@ -362,10 +286,5 @@ mod tests {
         let linear = Light { falloff: Falloff::Linear { constant: 1.0 }, ..Light::default() };
         let key = keys::LIGHT.find("falloff_constant").unwrap().1;
         assert!(light(&linear).is_default(key, &Datum::Number(1.0)));
-        let checker = Checker::default();
-        let checkered = Material { checker: Some(checker), ..Material::default() };
-        let material = material(&checkered);
-        let Some(Datum::Table(checker)) = material.get("checker") else { panic!() };
-        assert!(checker.is_all_default());
     }
 }

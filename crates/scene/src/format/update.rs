@@ -6,6 +6,7 @@ mod matching;
 use toml_edit::{ArrayOfTables, DocumentMut, Item, Table};
 
 use crate::Scene;
+use crate::format::material;
 use crate::format::read::read;
 use crate::format::record::{self, Record};
 use crate::format::write::write;
@@ -116,9 +117,9 @@ fn last_position(item: &Item) -> Option<isize> {
 /// Edits the materials: keys of one table.
 fn materials(document: &mut DocumentMut, original: &Scene, scene: &Scene) -> Option<()> {
     let old: Vec<Record<'_>> =
-        original.materials.iter().map(|named| record::material(&named.material)).collect();
+        original.materials.iter().map(|named| material::record(&named.material)).collect();
     let new: Vec<Record<'_>> =
-        scene.materials.iter().map(|named| record::material(&named.material)).collect();
+        scene.materials.iter().map(|named| material::record(&named.material)).collect();
     let old_names: Vec<&str> = original.materials.iter().map(|named| named.name.as_str()).collect();
     let new_names: Vec<&str> = scene.materials.iter().map(|named| named.name.as_str()).collect();
     if old_names == new_names {

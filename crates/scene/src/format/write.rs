@@ -2,6 +2,7 @@
 
 use crate::Scene;
 use crate::format::keys;
+use crate::format::material;
 use crate::format::number::push_number;
 use crate::format::record::{self, Datum, Record};
 use crate::text::{is_active, push_escape};
@@ -43,7 +44,7 @@ fn push_version(out: &mut String) {
 fn push_lists(out: &mut String, scene: &Scene) {
     for named in &scene.materials {
         let header = format!("[materials.{}]", key_text(&named.name));
-        push_section(out, &header, &record::material(&named.material));
+        push_section(out, &header, &material::record(&named.material));
     }
     for light in &scene.lights {
         push_section(out, "[[lights]]", &record::light(light));

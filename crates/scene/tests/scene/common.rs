@@ -2,8 +2,9 @@
 
 use catoptric_optics::{CLEAR, METALS};
 use catoptric_scene::{
-    Anchor, Body, Camera, Checker, CheckerSpace, Color, Conductor, Environment, Falloff, Image, ImageSource,
-    Light, Material, MaterialChoice, Model, NamedMaterial, Placement, Projection, Scene, Shape, Sky,
+    Anchor, Attenuation, Body, Camera, Checker, CheckerSpace, Coated, Color, Conductor, Dielectric,
+    Environment, Falloff, Image, ImageSource, Light, Material, MaterialChoice, Matte, MetalOptics, Mirror,
+    Model, NamedMaterial, Pattern, Phong, Placement, Projection, RefractiveIndex, Scene, Shape, Sky,
     Surroundings, Tracing,
 };
 use glam::DVec3;
@@ -67,97 +68,79 @@ fn checker() -> impl Strategy<Value = Option<Checker>> {
     proptest::option::of(some)
 }
 
+fn pattern() -> impl Strategy<Value = Pattern> {
+    (color(), proptest::option::of(image()), checker()).prop_map(|(color, texture, checker)| Pattern {
+        color,
+        texture,
+        checker,
+    })
+}
+
 fn reflection() -> impl Strategy<Value = Option<f64>> {
     proptest::option::of(amount())
 }
 
-fn phong() -> BoxedStrategy<Material> {
-    (
-        color(),
-        [amount(), amount(), amount(), amount()],
-        reflection(),
-        amount(),
-        0.01..100.0f64,
-        color(),
-        checker(),
-    )
-        .prop_map(
-            |(
-                color,
-                [ambient, diffuse, specular, shininess],
-                reflection,
-                transmission,
-                ior,
-                tint,
-                checker,
-            )| {
-                Material {
-                    color,
-                    ambient,
-                    diffuse,
-                    specular,
-                    shininess,
-                    reflection,
-                    transmission,
-                    ior,
-                    tint,
-                    checker,
-                    ..Material::default()
-                }
-            },
-        )
-        .boxed()
+fn ior() -> impl Strategy<Value = f64> {
+    0.01..100.0f64
 }
 
-fn colored() -> BoxedStrategy<Material> {
-    (color(), amount(), 0.01..100.0f64, reflection(), checker(), 0..3)
-        .prop_map(|(color, ambient, ior, reflection, checker, which)| {
-            let plain = Material { color, checker, ..Material::default() };
-            match which {
-                0 => Material { model: Model::Mirror, reflection, ..plain },
-                1 => Material { model: Model::Matte, ambient, ..plain },
-                _ => Material { model: Model::Coated, ambient, ior, ..plain },
-            }
-        })
-        .boxed()
-}
-
-fn material() -> impl Strategy<Value = Material> {
-    let share = || (0.0..1.0f64, 0.0..1.0f64, 0.0..1.0f64).prop_map(|(r, g, b)| Color::new(r, g, b));
-    let substance = proptest::option::of(proptest::sample::select(CLEAR.iter().collect::<Vec<_>>()));
-    let spread = (any::<bool>(), 1.0..1e6f64);
-    let clear = (substance, 0.01..100.0f64, spread, share(), length()).prop_map(
-        |(substance, ior, (dispersion, abbe), color, length)| Material {
-            model: Model::Dielectric,
-            substance,
-            ior: if substance.is_some() { Material::default().ior } else { ior },
-            dispersion,
-            abbe: if substance.is_some() { Material::default().abbe } else { abbe },
-            attenuation_color: color,
-            attenuation_distance: length,
-            ..Material::default()
+fn phong() -> impl Strategy<Value = Material> {
+    let coefficients = [amount(), amount(), amount(), amount(), amount()];
+    (pattern(), coefficients, reflection(), ior(), color()).prop_map(
+        |(pattern, [ambient, diffuse, specular, shininess, transmission], reflection, ior, tint)| {
+            Phong { pattern, ambient, diffuse, specular, shininess, reflection, transmission, ior, tint }
+                .into()
         },
-    );
-    let metal = proptest::sample::select(METALS.iter().collect::<Vec<_>>()).prop_map(Conductor::Metal);
+    )
+}
+
+fn dielectric() -> impl Strategy<Value = Material> {
+    let own = (ior(), 1.0..1e6f64).prop_map(|(ior, abbe)| RefractiveIndex::Own { ior, abbe });
+    let substance = proptest::sample::select(CLEAR.iter().collect::<Vec<_>>());
+    let index = prop_oneof![own, substance.prop_map(RefractiveIndex::Substance)];
+    let attenuation = (0.0..1.0f64, 0.0..1.0f64, 0.0..1.0f64, length())
+        .prop_map(|(r, g, b, distance)| Attenuation { color: Color::new(r, g, b), distance });
+    (index, any::<bool>(), attenuation, 0.0..1.0f64).prop_map(
+        |(index, dispersion, attenuation, roughness)| {
+            Dielectric { index, dispersion, attenuation, roughness }.into()
+        },
+    )
+}
+
+fn conductor() -> impl Strategy<Value = Material> {
+    let metal = proptest::sample::select(METALS.iter().collect::<Vec<_>>()).prop_map(MetalOptics::Metal);
     let index = (0.001..100.0f64, 0.0..100.0f64)
-        .prop_map(|(n, k)| Conductor::Index { n: DVec3::new(n, 1.0, 1.5), k: DVec3::new(0.0, k, 3.0) });
-    let conductor = prop_oneof![metal, index].prop_map(|conductor| Material {
-        model: Model::Conductor,
-        conductor,
-        ..Material::default()
-    });
+        .prop_map(|(n, k)| MetalOptics::Index { n: DVec3::new(n, 1.0, 1.5), k: DVec3::new(0.0, k, 3.0) });
+    (prop_oneof![metal, index], 0.0..1.0f64)
+        .prop_map(|(metal, roughness)| Conductor { metal, roughness }.into())
+}
+
+fn mirror() -> impl Strategy<Value = Material> {
+    (pattern(), reflection(), 0.0..1.0f64)
+        .prop_map(|(pattern, reflection, roughness)| Mirror { pattern, reflection, roughness }.into())
+}
+
+fn matte() -> impl Strategy<Value = Material> {
+    (pattern(), amount()).prop_map(|(pattern, ambient)| Matte { pattern, ambient }.into())
+}
+
+fn coated() -> impl Strategy<Value = Material> {
+    (pattern(), amount(), ior(), 0.0..1.0f64)
+        .prop_map(|(pattern, ambient, ior, roughness)| Coated { pattern, ambient, ior, roughness }.into())
+}
+
+pub(crate) fn material() -> impl Strategy<Value = Material> {
+    let of_model = |model| match model {
+        Model::Phong => phong().boxed(),
+        Model::Dielectric => dielectric().boxed(),
+        Model::Conductor => conductor().boxed(),
+        Model::Mirror => mirror().boxed(),
+        Model::Matte => matte().boxed(),
+        Model::Coated => coated().boxed(),
+    };
     // On the heap: what many of them make is more than a thread's stack holds.
-    let kinds = [Just(Material::default()).boxed(), phong(), colored(), clear.boxed(), conductor.boxed()];
-    let smooth = proptest::strategy::Union::new(kinds);
-    let some = (smooth, 0.0..1.0f64).prop_map(|(material, roughness)| match material.model {
-        Model::Phong | Model::Matte => material,
-        _ => Material { roughness, ..material },
-    });
-    let some = (some, proptest::option::of(image())).prop_map(|(material, texture)| Material {
-        texture: texture.filter(|_| material.model.has_color()),
-        ..material
-    });
-    some.boxed()
+    let default = Just(Material::default()).boxed();
+    proptest::strategy::Union::new(std::iter::once(default).chain(Model::ALL.map(of_model))).boxed()
 }
 
 fn shape_and_anchor() -> impl Strategy<Value = (Shape, Anchor)> {

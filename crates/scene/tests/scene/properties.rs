@@ -1,6 +1,8 @@
 //! What holds for every scene and every text.
 
-use catoptric_scene::{Language, Scene, read, read_bytes, update, write};
+use catoptric_scene::{
+    Language, Material, Model, NamedMaterial, Phong, Scene, read, read_bytes, update, write,
+};
 use proptest::prelude::*;
 
 const SMALL: &str = include_str!("small.toml");
@@ -51,6 +53,38 @@ proptest! {
         prop_assert!(!reading.diagnostics.has_errors(), "{}\n{}", reading.diagnostics, text);
         prop_assert_eq!(&reading.scene, &scene);
         prop_assert_eq!(write(&reading.scene), text);
+    }
+
+    #[test]
+    fn a_material_of_any_model_is_written_and_read_back(material in crate::common::material()) {
+        let named = NamedMaterial { name: "m".to_owned(), material };
+        let scene = Scene { materials: vec![named], ..Scene::default() };
+        let reading = read(&write(&scene));
+        prop_assert!(!reading.diagnostics.has_errors(), "{}", reading.diagnostics);
+        prop_assert_eq!(reading.scene, scene);
+    }
+
+    #[test]
+    fn a_change_of_the_model_keeps_what_both_models_have(material in crate::common::material()) {
+        for model in Model::ALL {
+            let other = material.with_model(model);
+            prop_assert_eq!(other.model(), model);
+            let back = other.with_model(material.model());
+            if other.pattern().is_some() && material.pattern().is_some() {
+                prop_assert_eq!(other.pattern(), material.pattern());
+                prop_assert_eq!(back.pattern(), material.pattern());
+            }
+            for number in [Material::ambient, Material::ior, Material::roughness] {
+                if let (Some(here), Some(there)) = (number(&material), number(&other)) {
+                    prop_assert_eq!((there, number(&back)), (here, Some(here)));
+                }
+            }
+            if let (Material::Phong(Phong { reflection, .. }), Material::Mirror(mirror)) = (&material, &other) {
+                prop_assert_eq!(mirror.reflection, *reflection);
+            }
+            // What is remembered of a model is as it was, when nothing has changed meanwhile.
+            prop_assert_eq!(material.clone().with_shared(&other), material.clone());
+        }
     }
 
     #[test]

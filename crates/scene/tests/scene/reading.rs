@@ -20,9 +20,9 @@ fn a_scene_with_everything_is_read() {
     assert_eq!(scene.camera.projection, Projection::Parallel { height: 5.0 });
     assert_eq!(scene.environment.background, Color::from_srgb8([0x33, 0x66, 0x99]));
     let [red, glass] = scene.materials.as_slice() else { panic!() };
-    assert_eq!((red.name.as_str(), red.material.reflection), ("red", Some(0.3)));
-    assert_eq!(red.material.checker.unwrap().size, 0.5);
-    assert_eq!((glass.name.as_str(), glass.material.ior), ("glass ball", 1.33));
+    assert_eq!((red.name.as_str(), red.material.reflection()), ("red", Some(0.3)));
+    assert_eq!(red.material.pattern().unwrap().checker.unwrap().size, 0.5);
+    assert_eq!((glass.name.as_str(), glass.material.ior()), ("glass ball", Some(1.33)));
     assert_eq!(scene.lights[0].falloff, Falloff::Linear { constant: 2.0 });
     let [ball, cube, cone, cylinder, floor] = &scene.bodies.to_vec()[..] else { panic!() };
     assert_eq!((ball.name.as_str(), ball.shape), ("ball", Shape::Sphere { radius: 2.0 }));
@@ -31,10 +31,13 @@ fn a_scene_with_everything_is_read() {
     assert_eq!(cube.placement.scale, DVec3::splat(0.5));
     let frame = Anchor::Frame { position: DVec3::ZERO, rotation_degrees: DVec3::Y * 30.0 };
     assert_eq!(cube.placement.anchor, frame);
-    assert_eq!(scene.material(&cube.material).unwrap().checker.unwrap().color, Color::BLACK);
+    assert_eq!(
+        scene.material(&cube.material).unwrap().pattern().unwrap().checker.unwrap().color,
+        Color::BLACK
+    );
     assert_eq!(cone.placement.anchor, Anchor::Axis { base: DVec3::ZERO, top: DVec3::Y * 10.5 });
     assert_eq!(cone.shape, Shape::Cone { radius: 0.5, top_radius: 0.1, height: 10.5 });
-    assert_eq!(scene.material(&cone.material).unwrap().diffuse, 0.4);
+    assert_eq!(scene.material(&cone.material).unwrap().as_phong().unwrap().diffuse, 0.4);
     assert_eq!(cylinder.shape, Shape::CYLINDER);
     assert_eq!((floor.name.as_str(), floor.shape), ("floor", Shape::Plane));
 }

@@ -87,7 +87,7 @@ fn a_value_keeps_what_stands_around_it() {
         &["position = [0.25, 1.0, 5.0]   # meters"],
     );
     assert_changes(
-        |scene| scene.materials[0].material.ambient = 0.3,
+        |scene| *scene.materials[0].material.ambient_mut().unwrap() = 0.3,
         &["ambient = 0.2          # a little"],
         &["ambient = 0.3          # a little"],
     );
@@ -97,14 +97,14 @@ fn a_value_keeps_what_stands_around_it() {
 fn keys_come_and_go() {
     assert_changes(|scene| scene.camera.up = DVec3::X, &[], &["up = [1.0, 0.0, 0.0]"]);
     assert_changes(
-        |scene| scene.materials[0].material.ambient = 0.1,
+        |scene| *scene.materials[0].material.ambient_mut().unwrap() = 0.1,
         &["ambient = 0.2          # a little"],
         &[],
     );
     assert_changes(
         |scene| {
             let MaterialChoice::Inline(material) = &mut scene.bodies[0].material else { panic!() };
-            material.specular = 0.5;
+            material.as_phong_mut().unwrap().specular = 0.5;
         },
         &["material = { color = \"#00ff00\", diffuse = 0.5 } # own"],
         &["material = { color = \"#00ff00\", diffuse = 0.5, specular = 0.5 } # own"],
@@ -174,7 +174,7 @@ fn order_and_names_may_change() {
     assert_changes(
         |scene| {
             let mut material = scene.materials[0].material.clone();
-            material.color = Color::BLACK;
+            material.pattern_mut().unwrap().color = Color::BLACK;
             scene.materials.push(NamedMaterial { name: "black".to_owned(), material });
         },
         &[],
@@ -188,7 +188,7 @@ fn other_notations_survive() {
     let mut scene = read(text).into_result().unwrap().value;
     scene.camera.up = DVec3::Z;
     scene.lights[0].intensity = 3.0;
-    scene.materials[0].material.ior = 1.3;
+    *scene.materials[0].material.ior_mut().unwrap() = 1.3;
     let expected = text.replace("intensity = 2", "intensity = 3.0").replace("1.2", "1.3");
     let expected = expected.replace("# dotted\r\n", "# dotted\r\ncamera.up = [0.0, 0.0, 1.0]\r\n");
     assert_eq!(update(text, &scene), expected);

@@ -81,7 +81,7 @@ pub(super) fn refresh(audit: &mut AuditState, texts: &Texts) {
 mod tests {
     use std::sync::Arc;
 
-    use catoptric_scene::{Body, Material, MaterialChoice, Placement, Scene, Shape};
+    use catoptric_scene::{Body, Material, MaterialChoice, Phong, Placement, Scene, Shape};
     use catoptric_tracer::{RenderControl, RenderScene};
     use glam::{DVec3, UVec2};
 
@@ -91,7 +91,8 @@ mod tests {
 
     /// A pixel whose rays branch at each of some panes of glass, one behind the other.
     fn found(panes: usize) -> AuditResult {
-        let glass = Material { reflection: Some(0.4), transmission: 0.5, ior: 1.5, ..Material::default() };
+        let glass =
+            Material::Phong(Phong { reflection: Some(0.4), transmission: 0.5, ior: 1.5, ..Phong::default() });
         let pane = |place: usize| Body {
             shape: Shape::Cube { size: DVec3::new(4.0, 4.0, 0.1) },
             placement: Placement::at(-0.3 * place as f64 * DVec3::Z),

@@ -1,8 +1,8 @@
 //! The scene of a new document: a ball on a checkered floor under a light, ready to work in.
 
 use catoptric_scene::{
-    Body, Camera, Checker, Color, Environment, Light, Material, MaterialChoice, Placement, Projection, Scene,
-    Shape,
+    Body, Camera, Checker, Color, Environment, Light, Material, MaterialChoice, Pattern, Phong, Placement,
+    Projection, Scene, Shape,
 };
 use glam::DVec3;
 
@@ -10,23 +10,26 @@ use crate::texts::Texts;
 
 /// A new scene, its things named in the present language.
 pub(crate) fn fresh_scene(texts: &Texts) -> Scene {
-    let floor = Material {
-        color: Color::new(0.62, 0.63, 0.65),
+    let floor = Material::Phong(Phong {
+        pattern: Pattern {
+            color: Color::new(0.62, 0.63, 0.65),
+            checker: Some(Checker { color: Color::new(0.30, 0.31, 0.33), size: 1.0, ..Checker::default() }),
+            ..Pattern::default()
+        },
         ambient: 0.15,
         diffuse: 0.75,
         reflection: Some(0.12),
-        checker: Some(Checker { color: Color::new(0.30, 0.31, 0.33), size: 1.0, ..Checker::default() }),
-        ..Material::default()
-    };
-    let ball = Material {
-        color: Color::new(0.80, 0.30, 0.10),
+        ..Phong::default()
+    });
+    let ball = Material::Phong(Phong {
+        pattern: Color::new(0.80, 0.30, 0.10).into(),
         ambient: 0.12,
         diffuse: 0.75,
         specular: 0.5,
         shininess: 80.0,
         reflection: Some(0.25),
-        ..Material::default()
-    };
+        ..Phong::default()
+    });
     let body = |name, shape, at, material| Body {
         name: texts.get(name).to_owned(),
         shape,

@@ -1,7 +1,7 @@
 //! Notes when a surface or its highlight would send out more light than it receives.
 
 use catoptric_lab::depth::{ExcessKind, excess_of};
-use catoptric_scene::{Color, Material, Model};
+use catoptric_scene::{Color, Material, Pattern};
 use egui::{Label, RichText, Sense, Ui, vec2};
 use egui_material_icons::MaterialIcon;
 use egui_material_icons::icons::{ICON_INFO, ICON_WARNING};
@@ -20,7 +20,7 @@ pub(super) fn energy_ui(ui: &mut Ui, texts: &Texts, material: &Material) {
         let text = texts.with(key, &[("sum", sum.replace(' ', "\u{a0}").into())]);
         line_ui(ui, ICON_WARNING, palette.warning, text, texts.tip(key));
     }
-    if material.model == Model::Coated && is_brighter_than_white(material) {
+    if matches!(material, Material::Coated(coated) if is_brighter_than_white(&coated.pattern)) {
         line_ui(ui, ICON_INFO, palette.weak, texts.get("energy-coat").to_owned(), texts.tip("energy-coat"));
     }
 }
@@ -30,24 +30,24 @@ fn told(texts: &Texts, material: &Material, kind: ExcessKind, amount: &str) -> (
     let ExcessKind::Surface { diffuse, reflection, transmission, .. } = kind else {
         return ("energy-highlight", amount.to_owned());
     };
-    match material.model {
-        Model::Mirror => {
-            let share = material.reflection();
+    match material {
+        Material::Mirror(mirror) => {
+            let share = mirror.reflection();
             let color = if share > 0.0 { reflection / share } else { 0.0 };
             ("energy-mirror", format!("{} · {} = {amount}", shown(texts, share, 3), shown(texts, color, 3)))
         }
-        Model::Matte => ("energy-matte", amount.to_owned()),
-        _ => {
+        Material::Matte(_) => ("energy-matte", amount.to_owned()),
+        Material::Phong(_) | Material::Dielectric(_) | Material::Conductor(_) | Material::Coated(_) => {
             let parts = [diffuse, reflection, transmission].map(|part| shown(texts, part, 3));
             ("energy-warning", format!("{} = {amount}", parts.join(" + ")))
         }
     }
 }
 
-fn is_brighter_than_white(material: &Material) -> bool {
-    let has_picture = material.texture.as_ref().is_some_and(|image| image.pixels().is_some());
-    let own = (!has_picture).then_some(material.color);
-    let colors = [own, material.checker.map(|checker| checker.color)];
+fn is_brighter_than_white(pattern: &Pattern) -> bool {
+    let has_picture = pattern.texture.as_ref().is_some_and(|image| image.pixels().is_some());
+    let own = (!has_picture).then_some(pattern.color);
+    let colors = [own, pattern.checker.map(|checker| checker.color)];
     colors.into_iter().flatten().flat_map(Color::to_array).any(|part| part > 1.0)
 }
 

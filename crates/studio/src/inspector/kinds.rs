@@ -1,6 +1,6 @@
 //! Kinds of reflection and named media: what numbers mean in words.
 
-use catoptric_scene::Material;
+use catoptric_scene::Phong;
 
 /// A kind of reflection.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,7 +27,7 @@ pub(crate) struct CoefficientPreset {
     reflection: f64,
     transmission: f64,
     /// Whether a material is of this kind.
-    fits: fn(&Material) -> bool,
+    fits: fn(&Phong) -> bool,
 }
 
 /// The kinds in the order in which to offer them. No material fits two.
@@ -81,24 +81,24 @@ pub(crate) static PRESETS: [CoefficientPreset; 4] = [
     },
 ];
 
-fn is_opaque(material: &Material) -> bool {
-    material.transmission == 0.0
+fn is_opaque(phong: &Phong) -> bool {
+    phong.transmission == 0.0
 }
 
 /// The kind of a material; `None` when it is one of its own.
-pub(super) fn kind_of(material: &Material) -> Option<&'static CoefficientPreset> {
-    PRESETS.iter().find(|preset| (preset.fits)(material))
+pub(super) fn kind_of(phong: &Phong) -> Option<&'static CoefficientPreset> {
+    PRESETS.iter().find(|preset| (preset.fits)(phong))
 }
 
 impl CoefficientPreset {
     /// Makes a material of this kind. Colors, tint, checker and index of refraction stay.
-    pub(crate) fn give(&self, material: &mut Material) {
-        material.ambient = self.ambient;
-        material.diffuse = self.diffuse;
-        material.specular = self.specular;
-        material.shininess = self.shininess;
-        material.reflection = Some(self.reflection);
-        material.transmission = self.transmission;
+    pub(crate) fn give(&self, phong: &mut Phong) {
+        phong.ambient = self.ambient;
+        phong.diffuse = self.diffuse;
+        phong.specular = self.specular;
+        phong.shininess = self.shininess;
+        phong.reflection = Some(self.reflection);
+        phong.transmission = self.transmission;
     }
 }
 
@@ -139,13 +139,13 @@ mod tests {
     fn a_preset_makes_what_it_is_called_and_keeps_the_color() {
         for preset in &PRESETS {
             let color = Color::new(0.8, 0.1, 0.05);
-            let mut material = Material { color, ior: 1.7, ..Material::default() };
-            preset.give(&mut material);
-            assert_eq!(kind_of(&material).map(|found| found.kind), Some(preset.kind));
-            assert_eq!((material.color, material.ior), (color, 1.7));
-            let fitting = PRESETS.iter().filter(|other| (other.fits)(&material)).count();
+            let mut phong = Phong { pattern: color.into(), ior: 1.7, ..Phong::default() };
+            preset.give(&mut phong);
+            assert_eq!(kind_of(&phong).map(|found| found.kind), Some(preset.kind));
+            assert_eq!((phong.pattern.color, phong.ior), (color, 1.7));
+            let fitting = PRESETS.iter().filter(|other| (other.fits)(&phong)).count();
             assert_eq!(fitting, 1, "{}", preset.key);
-            let whole = material.diffuse + material.reflection() + material.transmission;
+            let whole = phong.diffuse + phong.reflection() + phong.transmission;
             assert!(whole <= 1.0, "{}", preset.key);
         }
     }
@@ -157,10 +157,9 @@ mod tests {
             for specular in levels {
                 for reflection in [None, Some(0.0), Some(0.15), Some(0.5), Some(1.0)] {
                     for transmission in levels {
-                        let material =
-                            Material { diffuse, specular, reflection, transmission, ..Material::default() };
-                        let fitting = PRESETS.iter().filter(|preset| (preset.fits)(&material)).count();
-                        assert!(fitting <= 1, "{material:?}");
+                        let phong = Phong { diffuse, specular, reflection, transmission, ..Phong::default() };
+                        let fitting = PRESETS.iter().filter(|preset| (preset.fits)(&phong)).count();
+                        assert!(fitting <= 1, "{phong:?}");
                     }
                 }
             }
@@ -169,7 +168,7 @@ mod tests {
 
     #[test]
     fn half_transparent_paint_is_of_no_kind() {
-        let material = Material { transmission: 0.3, ..Material::default() };
-        assert!(kind_of(&material).is_none());
+        let phong = Phong { transmission: 0.3, ..Phong::default() };
+        assert!(kind_of(&phong).is_none());
     }
 }

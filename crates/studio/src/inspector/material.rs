@@ -5,11 +5,12 @@ use std::sync::Arc;
 
 use catoptric_editor::{Action, Editor, Item, Label, RefusedChange};
 use catoptric_scene::format::keys;
-use catoptric_scene::{Image, Material, MaterialChoice, Model, Scene};
+use catoptric_scene::{Image, Material, MaterialChoice, Mirror, Model, Phong, Scene};
 use egui::{Button, ComboBox, Id, TextStyle, Ui, vec2};
 use egui_material_icons::icons::ICON_GRID_VIEW;
 
 use super::kinds::{MEDIA, PRESETS, kind_of};
+use super::replaced::OwnerName;
 use super::sheet::{ColorRow, NumberRow, PropertySheet, RowQuantity, SliderRail};
 use super::symbol::Symbol;
 use super::{InspectorState, curve, energy, formula, header, pattern, physical};
@@ -41,65 +42,93 @@ const fn coefficient(
 
 static COLOR: ColorRow<Material> = ColorRow {
     what: coefficient("material-color", "edit-color", "color", Symbol::Color),
-    get: |material| material.texture.is_none().then_some(material.color),
-    set: |material, color| material.color = color,
+    get: |material| {
+        material.pattern().filter(|pattern| pattern.texture.is_none()).map(|pattern| pattern.color)
+    },
+    set: |material, color| {
+        if let Some(pattern) = material.pattern_mut() {
+            pattern.color = color;
+        }
+    },
 };
 
 static AMBIENT: NumberRow<Material> = NumberRow::<Material>::new(
     coefficient("ambient", "edit-ambient", "ambient", Symbol::Ambient),
     UNIT_RAIL,
-    |material| Some(material.ambient),
-    |material, value| material.ambient = value,
+    Material::ambient,
+    |material, value| {
+        if let Some(ambient) = material.ambient_mut() {
+            *ambient = value;
+        }
+    },
 );
 
 static DIFFUSE: NumberRow<Material> = NumberRow::<Material>::new(
     coefficient("diffuse", "edit-diffuse", "diffuse", Symbol::Diffuse),
     UNIT_RAIL,
-    |material| Some(material.diffuse),
-    |material, value| material.diffuse = value,
+    |material| material.as_phong().map(|phong| phong.diffuse),
+    |material, value| edit_phong(material, |phong| phong.diffuse = value),
 );
 
 static SPECULAR: NumberRow<Material> = NumberRow::<Material>::new(
     coefficient("specular", "edit-specular", "specular", Symbol::Specular),
     UNIT_RAIL,
-    |material| Some(material.specular),
-    |material, value| material.specular = value,
+    |material| material.as_phong().map(|phong| phong.specular),
+    |material, value| edit_phong(material, |phong| phong.specular = value),
 );
 
 static SHININESS: NumberRow<Material> = NumberRow::<Material>::new(
     coefficient("shininess", "edit-shininess", "shininess", Symbol::Shininess),
     SliderRail::Logarithmic(1.0, 1000.0),
-    |material| Some(material.shininess),
-    |material, value| material.shininess = value,
+    |material| material.as_phong().map(|phong| phong.shininess),
+    |material, value| edit_phong(material, |phong| phong.shininess = value),
 )
 .tuned(0.5, 1);
 
-static REFLECTION: NumberRow<Material> = NumberRow::<Material>::new(
+pub(super) static REFLECTION: NumberRow<Material> = NumberRow::<Material>::new(
     coefficient("reflection", "edit-reflection", "reflection", Symbol::Reflection),
     UNIT_RAIL,
-    |material| Some(material.reflection()),
-    |material, value| material.reflection = Some(value),
+    Material::reflection,
+    |material, value| {
+        if let Material::Phong(Phong { reflection, .. }) | Material::Mirror(Mirror { reflection, .. }) =
+            material
+        {
+            *reflection = Some(value);
+        }
+    },
 );
 
 static TRANSMISSION: NumberRow<Material> = NumberRow::<Material>::new(
     coefficient("transmission", "edit-transmission", "transmission", Symbol::Transmission),
     UNIT_RAIL,
-    |material| Some(material.transmission),
-    |material, value| material.transmission = value,
+    |material| material.as_phong().map(|phong| phong.transmission),
+    |material, value| edit_phong(material, |phong| phong.transmission = value),
 );
 
-static IOR: NumberRow<Material> = NumberRow::<Material>::new(
+/// The index of refraction, unless it is a substance's.
+pub(super) static IOR: NumberRow<Material> = NumberRow::<Material>::new(
     coefficient("ior", "edit-ior", "ior", Symbol::Ior),
     SliderRail::Even(1.0, 3.0),
-    |material| Some(material.ior),
-    |material, value| material.ior = value,
+    |material| match material {
+        Material::Dielectric(dielectric) if dielectric.index.substance().is_some() => None,
+        _ => material.ior(),
+    },
+    |material, value| {
+        if let Some(ior) = material.ior_mut() {
+            *ior = value;
+        }
+    },
 );
 
 static TINT: ColorRow<Material> = ColorRow {
     what: coefficient("tint", "edit-tint", "tint", Symbol::Tint),
-    get: |material| Some(material.tint),
-    set: |material, color| material.tint = color,
+    get: |material| material.as_phong().map(|phong| phong.tint),
+    set: |material, color| edit_phong(material, |phong| phong.tint = color),
 };
+
+fn edit_phong(material: &mut Material, edit: impl FnOnce(&mut Phong)) {
+    material.as_phong_mut().map(edit);
+}
 
 /// The owner of a material: the scene's list or a body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -282,16 +311,16 @@ fn sheet_ui(
             };
             section(ui, "material", texts.get("section-material"), summary, sheet.is_free, |ui| {
                 share_ui(ui, sheet.cx, scene, bodies, &body.material);
-                rows_ui(ui, &mut sheet);
+                rows_ui(ui, &mut sheet, scene, homes);
             });
         }
-        None => rows_ui(ui, &mut sheet),
+        None => rows_ui(ui, &mut sheet, scene, homes),
     }
     section(ui, "formula", texts.get("section-formula"), "", true, |ui| {
-        if primary.model == Model::Phong {
-            formula::material_ui(ui, texts, sheet.memory, primary, scene);
+        if let Material::Phong(phong) = primary {
+            formula::material_ui(ui, texts, sheet.memory, phong, scene);
         } else {
-            header::hint(ui, physical::told(texts, primary.model));
+            header::hint(ui, physical::told(texts, primary.model()));
             formula::law_ui(ui, texts, sheet.memory, primary);
             let seen = sheet.cx.view.seen.filter(|seen| homes.first() == home_of(scene, seen.body).as_ref());
             curve::curve_ui(ui, texts, primary, &mut sheet.memory.curves, seen);
@@ -299,39 +328,63 @@ fn sheet_ui(
     });
 }
 
-fn rows_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>) {
-    physical::model_ui(ui, sheet);
-    if sheet.primary.model == Model::Phong {
-        phong_ui(ui, sheet);
-    } else {
-        if sheet.primary.model.has_color() {
-            sheet.color(ui, &COLOR);
-            pattern::texture_ui(ui, sheet);
-        }
-        if matches!(sheet.primary.model, Model::Matte | Model::Coated) {
-            sheet.number(ui, &AMBIENT, None);
-        }
-        physical::rows_ui(ui, sheet);
-        if sheet.primary.model.has_color() {
-            pattern::checker_ui(ui, sheet);
-        }
+fn rows_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>, scene: &Scene, homes: &[MaterialOwner]) {
+    if let Some(model) = physical::model_ui(ui, sheet) {
+        change_model(sheet, scene, homes, model);
     }
+    if let Material::Phong(phong) = sheet.primary {
+        kinds_ui(ui, sheet);
+        ground_ui(ui, sheet);
+        sheet.number(ui, &DIFFUSE, None);
+        sheet.number(ui, &SPECULAR, None);
+        sheet.number(ui, &SHININESS, None);
+        reflection_ui(ui, sheet, phong);
+        sheet.number(ui, &TRANSMISSION, None);
+        ior_ui(ui, sheet, phong);
+        sheet.color(ui, &TINT);
+    } else {
+        ground_ui(ui, sheet);
+        physical::rows_ui(ui, sheet);
+    }
+    pattern::checker_ui(ui, sheet);
     energy::energy_ui(ui, sheet.texts(), sheet.primary);
 }
 
-fn phong_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>) {
-    kinds_ui(ui, sheet);
+/// Draws color, texture and ambient coefficient, as far as the model has them.
+fn ground_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>) {
     sheet.color(ui, &COLOR);
     pattern::texture_ui(ui, sheet);
     sheet.number(ui, &AMBIENT, None);
-    sheet.number(ui, &DIFFUSE, None);
-    sheet.number(ui, &SPECULAR, None);
-    sheet.number(ui, &SHININESS, None);
-    reflection_ui(ui, sheet);
-    sheet.number(ui, &TRANSMISSION, None);
-    ior_ui(ui, sheet);
-    sheet.color(ui, &TINT);
-    pattern::checker_ui(ui, sheet);
+}
+
+/// Changes the model of all materials. Each has what it had when it was last of that model.
+fn change_model(
+    sheet: &mut PropertySheet<'_, '_, Material>,
+    scene: &Scene,
+    homes: &[MaterialOwner],
+    model: Model,
+) {
+    let replaced = &mut sheet.memory.replaced;
+    let owners = homes.iter().map(|&home| owner_name(scene, home));
+    let changed: Vec<Material> =
+        owners.zip(&sheet.things).map(|(owner, material)| replaced.replace(owner, material, model)).collect();
+    sheet.change("model", "edit-model", |place, material| {
+        if let Some(changed) = changed.get(place) {
+            material.clone_from(changed);
+        }
+    });
+}
+
+fn owner_name(scene: &Scene, home: MaterialOwner) -> OwnerName {
+    let name = match home {
+        MaterialOwner::Named(index) => Item::Material(index).name(scene),
+        MaterialOwner::Body(index) => Item::Body(index).name(scene),
+    };
+    match home {
+        MaterialOwner::Named(_) => OwnerName::Named(name.to_owned()),
+        MaterialOwner::Body(index) if name.is_empty() => OwnerName::Unnamed(index),
+        MaterialOwner::Body(_) => OwnerName::Body(name.to_owned()),
+    }
 }
 
 /// Where the material of a body is kept.
@@ -392,8 +445,9 @@ fn apply(
 
 fn kinds_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>) {
     let texts = sheet.texts();
-    let kind = kind_of(sheet.primary).map(|preset| preset.kind);
-    let is_mixed = sheet.things.iter().any(|material| kind_of(material).map(|preset| preset.kind) != kind);
+    let kind_of = |material: &Material| material.as_phong().and_then(kind_of).map(|preset| preset.kind);
+    let kind = kind_of(sheet.primary);
+    let is_mixed = sheet.things.iter().any(|material| kind_of(material) != kind);
     let mut choices: Vec<ChoiceItem<'_, _>> = PRESETS
         .iter()
         .map(|preset| ChoiceItem {
@@ -414,14 +468,14 @@ fn kinds_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>) {
     let width = ui.available_width();
     let picked = choice_ui(ui, id, texts.get("kind"), width, &choices, chosen).flatten();
     if let Some(preset) = PRESETS.iter().find(|preset| Some(preset.kind) == picked) {
-        sheet.change("kind", "edit-kind", |_, material| preset.give(material));
+        sheet.change("kind", "edit-kind", |_, material| edit_phong(material, |phong| preset.give(phong)));
     }
     sheet.note(ui, "kind");
 }
 
 /// k_r, which is k_s as long as it has no value of its own.
-fn reflection_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>) {
-    let mut follows = sheet.primary.reflection.is_none();
+fn reflection_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>, phong: &Phong) {
+    let mut follows = phong.reflection.is_none();
     ui.add_enabled_ui(!follows, |ui| sheet.number_or(ui, &REFLECTION, None));
     let texts = sheet.texts();
     let mut is_clicked = false;
@@ -432,15 +486,17 @@ fn reflection_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>) {
     });
     if is_clicked {
         sheet.change("reflection-same", "edit-reflection", |_, material| {
-            material.reflection = if follows { None } else { Some(material.reflection()) };
+            edit_phong(material, |phong| {
+                phong.reflection = if follows { None } else { Some(phong.reflection()) };
+            });
         });
     }
 }
 
 /// η, with a list of media.
-fn ior_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>) {
+fn ior_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>, phong: &Phong) {
     sheet.number(ui, &IOR, None);
-    let ior = sheet.primary.ior;
+    let ior = phong.ior;
     let texts = sheet.texts();
     let medium = MEDIA.iter().find(|medium| (medium.ior - ior).abs() < 5e-4);
     let mut picked = None;
@@ -462,7 +518,7 @@ fn ior_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>) {
         list.response.accessible_name(texts.get("medium"));
     });
     if let Some(value) = picked {
-        sheet.change("medium", "edit-ior", |_, material| material.ior = value);
+        sheet.change("medium", "edit-ior", |_, material| edit_phong(material, |phong| phong.ior = value));
     }
 }
 
@@ -479,6 +535,8 @@ pub(crate) fn give_texture(editor: &mut Editor, texts: &Texts, image: &Image) ->
     };
     let subject = editor.selection().primary().map(|item| item_name(texts, &scene, item)).unwrap_or_default();
     apply(editor, &homes, Label::new("edit-texture", subject), &mut |_, material| {
-        material.texture = Some(image.clone());
+        if let Some(pattern) = material.pattern_mut() {
+            pattern.texture = Some(image.clone());
+        }
     })
 }

@@ -14,12 +14,8 @@ use crate::widgets::tip::tip_beside;
 
 static CHECKER_COLOR: ColorRow<Material> = ColorRow {
     what: RowQuantity::new("checker-color", "edit-checker-color", &keys::CHECKER, "color"),
-    get: |material| material.checker.map(|checker| checker.color),
-    set: |material, color| {
-        if let Some(checker) = &mut material.checker {
-            checker.color = color;
-        }
-    },
+    get: |material| checker_of(material).map(|checker| checker.color),
+    set: |material, color| edit_checker(material, |checker| checker.color = color),
 };
 
 static CHECKER_SIZE: NumberRow<Material> = NumberRow::<Material>::new(
@@ -27,17 +23,22 @@ static CHECKER_SIZE: NumberRow<Material> = NumberRow::<Material>::new(
         .in_unit(Unit::Meters)
         .with_symbol(Symbol::CheckerSize),
     SliderRail::None,
-    |material| material.checker.map(|checker| checker.size),
-    |material, value| {
-        if let Some(checker) = &mut material.checker {
-            checker.size = value;
-        }
-    },
+    |material| checker_of(material).map(|checker| checker.size),
+    |material, value| edit_checker(material, |checker| checker.size = value),
 );
 
-/// The second color.
+fn checker_of(material: &Material) -> Option<Checker> {
+    material.pattern().and_then(|pattern| pattern.checker)
+}
+
+fn edit_checker(material: &mut Material, edit: impl FnOnce(&mut Checker)) {
+    material.pattern_mut().and_then(|pattern| pattern.checker.as_mut()).map(edit);
+}
+
+/// Draws the second color of a pattern, if the model has one.
 pub(super) fn checker_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>) {
-    let mut is_on = sheet.primary.checker.is_some();
+    let Some(pattern) = sheet.primary.pattern() else { return };
+    let mut is_on = pattern.checker.is_some();
     let mut is_clicked = false;
     let texts = sheet.texts();
     sheet.plain_row(ui, "checker", |_, ui| {
@@ -46,12 +47,14 @@ pub(super) fn checker_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material
     });
     if is_clicked {
         sheet.change("checker", "edit-checker", |_, material| {
-            material.checker = is_on.then(|| material.checker.unwrap_or(Checker::default()));
+            if let Some(pattern) = material.pattern_mut() {
+                pattern.checker = is_on.then(|| pattern.checker.unwrap_or_default());
+            }
         });
     }
     sheet.color(ui, &CHECKER_COLOR);
     sheet.number(ui, &CHECKER_SIZE, None);
-    let Some(checker) = sheet.primary.checker else { return };
+    let Some(checker) = pattern.checker else { return };
     let choices = CheckerSpace::ALL.map(|space| {
         let key = match space {
             CheckerSpace::World => "checker-world",
@@ -67,14 +70,15 @@ pub(super) fn checker_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material
     });
     if let Some(space) = picked {
         sheet.change("checker-space", "edit-checker-space", |_, material| {
-            material.checker.iter_mut().for_each(|checker| checker.space = space);
+            edit_checker(material, |checker| checker.space = space);
         });
     }
 }
 
-/// A picture in the place of the color.
+/// Draws the picture in the place of the color of a pattern, if the model has one.
 pub(super) fn texture_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>) {
-    let texture = sheet.primary.texture.as_ref();
+    let Some(pattern) = sheet.primary.pattern() else { return };
+    let texture = pattern.texture.as_ref();
     let none = [OtherChoice { key: "texture-none", is_chosen: texture.is_none(), value: () }];
     let picked = image::choice_ui(ui, sheet, "texture", ImageUse::Texture, &none, texture);
     let Some(picked) = picked else { return };
@@ -82,5 +86,9 @@ pub(super) fn texture_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material
         ImageMenuChoice::Other(()) => None,
         ImageMenuChoice::Picture(image) => Some(image),
     };
-    sheet.change("texture", "edit-texture", |_, material| material.texture.clone_from(&chosen));
+    sheet.change("texture", "edit-texture", |_, material| {
+        if let Some(pattern) = material.pattern_mut() {
+            pattern.texture.clone_from(&chosen);
+        }
+    });
 }

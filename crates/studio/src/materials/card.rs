@@ -148,7 +148,7 @@ fn tip_ui(response: Response, cx: &Cx<'_>, scene: &Scene, thing: MaterialItem, n
         match thing {
             MaterialItem::Scene(place) => {
                 let Some(named) = scene.materials.get(place) else { return };
-                ui.label(crate::inspector::model_told(cx.texts, named.material.model));
+                ui.label(crate::inspector::model_told(cx.texts, named.material.model()));
                 let is_it = |choice: &MaterialChoice| choice.name() == Some(&named.name);
                 let count = scene.bodies.iter().filter(|body| is_it(&body.material)).count();
                 ui.label(cx.texts.with("material-used-by", &[("count", count.into())]));

@@ -3,7 +3,10 @@
 use std::sync::LazyLock;
 
 use catoptric_optics::{CLEAR, ClearSubstance, METALS, Metal};
-use catoptric_scene::{Color, Conductor, Material, Model};
+use catoptric_scene::{
+    Attenuation, Coated, Color, Conductor, Dielectric, Material, Matte, MetalOptics, Mirror, Phong,
+    RefractiveIndex,
+};
 
 use super::MaterialSection;
 use crate::inspector::{KINDS, KindPreset as Kind};
@@ -51,7 +54,7 @@ pub(super) static PRESETS: LazyLock<Vec<MaterialPreset>> = LazyLock::new(|| {
     all.extend(CLEAR.iter().map(|clear| MaterialPreset {
         section: MaterialSection::Clear,
         key: format!("substance-{}", clear.name),
-        material: Material { model: Model::Dielectric, substance: Some(clear), ..Material::default() },
+        material: of_substance(clear, 0.0),
         about: PresetDescription::Clear(clear),
     }));
     all.extend(clear_colored());
@@ -63,18 +66,22 @@ pub(super) static PRESETS: LazyLock<Vec<MaterialPreset>> = LazyLock::new(|| {
 /// The four kinds of Phong's and Whitted's models, in a color that suits them.
 fn kind(kind: &'static Kind) -> MaterialPreset {
     let color = if kind.key == "kind-glossy" { Color::new(0.75, 0.06, 0.05) } else { Color::gray(0.8) };
-    let mut material = Material { color, ..Material::default() };
-    kind.give(&mut material);
-    tipped(MaterialSection::Constant, kind.key, material)
+    let mut phong = Phong { pattern: color.into(), ..Phong::default() };
+    kind.give(&mut phong);
+    tipped(MaterialSection::Constant, kind.key, phong)
 }
 
-fn tipped(section: MaterialSection, key: &str, material: Material) -> MaterialPreset {
+fn tipped(section: MaterialSection, key: &str, material: impl Into<Material>) -> MaterialPreset {
+    let material = material.into();
     MaterialPreset { section, key: key.to_owned(), material, about: PresetDescription::Tip }
 }
 
 fn of_metal(metal: &'static Metal, roughness: f64) -> Material {
-    let conductor = Conductor::Metal(metal);
-    Material { model: Model::Conductor, conductor, roughness, ..Material::default() }
+    Conductor { metal: MetalOptics::Metal(metal), roughness }.into()
+}
+
+fn of_substance(substance: &'static ClearSubstance, roughness: f64) -> Material {
+    Dielectric { index: RefractiveIndex::Substance(substance), roughness, ..Dielectric::default() }.into()
 }
 
 /// Glass that absorbs light, in colors that a body of a meter shows well.
@@ -85,15 +92,14 @@ fn clear_colored() -> impl Iterator<Item = MaterialPreset> {
         ("preset-ruby-glass", [0.72, 0.04, 0.07]),
     ];
     all.into_iter().map(|(key, [r, g, b])| {
-        let attenuation_color = Color::new(r, g, b);
-        let glass =
-            Material { model: Model::Dielectric, ior: 1.52, attenuation_color, ..Material::default() };
+        let attenuation = Attenuation { color: Color::new(r, g, b), ..Attenuation::default() };
+        let glass = Dielectric { index: 1.52.into(), attenuation, ..Dielectric::default() };
         tipped(MaterialSection::Clear, key, glass)
     })
 }
 
 fn coats() -> impl Iterator<Item = MaterialPreset> {
-    let mirror = Material { model: Model::Mirror, color: Color::WHITE, ..Material::default() };
+    let mirror = Mirror { pattern: Color::WHITE.into(), ..Mirror::default() };
     let all = [
         ("preset-red-lacquer", [0.50, 0.015, 0.02], 1.52),
         ("preset-black-lacquer", [0.012, 0.012, 0.014], 1.52),
@@ -102,36 +108,27 @@ fn coats() -> impl Iterator<Item = MaterialPreset> {
         ("preset-green-plastic", [0.04, 0.36, 0.11], 1.46),
         ("preset-yellow-plastic", [0.86, 0.56, 0.04], 1.46),
     ];
-    let coated = all.into_iter().map(|(key, [r, g, b], ior)| {
-        let color = Color::new(r, g, b);
-        tipped(
-            MaterialSection::Coats,
-            key,
-            Material { model: Model::Coated, color, ior, ..Material::default() },
-        )
+    let coated = all.into_iter().map(|(key, color, ior)| {
+        let pattern = Color::from(color).into();
+        tipped(MaterialSection::Coats, key, Coated { pattern, ior, ..Coated::default() })
     });
     std::iter::once(tipped(MaterialSection::Coats, "preset-ideal-mirror", mirror)).chain(coated)
 }
 
-fn rough() -> [MaterialPreset; 5] {
-    let of = |model, color: [f64; 3], roughness| {
-        let [r, g, b] = color;
-        Material { model, color: Color::new(r, g, b), roughness, ..Material::default() }
-    };
-    let frosted = Material {
-        model: Model::Dielectric,
-        substance: ClearSubstance::named("crown-glass"),
-        roughness: 0.35,
-        ..Material::default()
-    };
-    let rough = |key, material| tipped(MaterialSection::Rough, key, material);
-    [
-        rough("preset-frosted-glass", frosted),
-        rough("preset-dull-mirror", of(Model::Mirror, [0.9; 3], 0.3)),
-        rough("preset-satin-plastic", of(Model::Coated, [0.10, 0.20, 0.50], 0.45)),
-        rough("preset-plaster", of(Model::Matte, [0.85, 0.84, 0.80], 0.0)),
-        rough("preset-terracotta", of(Model::Matte, [0.55, 0.20, 0.10], 0.0)),
-    ]
+fn rough() -> impl Iterator<Item = MaterialPreset> {
+    let pattern = |r, g, b| Color::new(r, g, b).into();
+    let matte = |r, g, b| Matte { pattern: pattern(r, g, b), ..Matte::default() }.into();
+    let mirror = Mirror { pattern: pattern(0.9, 0.9, 0.9), roughness: 0.3, ..Mirror::default() };
+    let plastic = Coated { pattern: pattern(0.10, 0.20, 0.50), roughness: 0.45, ..Coated::default() };
+    let frosted = ClearSubstance::named("crown-glass").map(|glass| of_substance(glass, 0.35));
+    let others = [
+        ("preset-dull-mirror", mirror.into()),
+        ("preset-satin-plastic", plastic.into()),
+        ("preset-plaster", matte(0.85, 0.84, 0.80)),
+        ("preset-terracotta", matte(0.55, 0.20, 0.10)),
+    ];
+    let all = frosted.map(|frosted| ("preset-frosted-glass", frosted)).into_iter().chain(others);
+    all.map(|(key, material): (_, Material)| tipped(MaterialSection::Rough, key, material))
 }
 
 /// For each preset what it can be found by: its name and its section in all languages.

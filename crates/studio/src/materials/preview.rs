@@ -40,21 +40,21 @@ impl MaterialPreview {
 
 #[cfg(test)]
 mod tests {
+    use catoptric_scene::{Conductor, Model};
+
     use super::*;
 
     #[test]
     fn the_scene_of_previews_can_be_read_and_shows_the_material() {
-        let material = Box::new(Material { model: catoptric_scene::Model::Conductor, ..Material::default() });
+        let material = Box::new(Material::from(Model::Conductor));
         let preview = MaterialPreview { material: material.clone(), side: 96 };
         let scene = preview.scene().unwrap();
         let is_shown = |choice: &MaterialChoice| *choice == MaterialChoice::Inline(material.clone());
         assert_eq!(scene.bodies.iter().filter(|body| is_shown(&body.material)).count(), 1);
         assert!(catoptric_tracer::RenderScene::build(&scene).is_ok());
         assert_eq!(preview.settings().samples, 16);
-        let rough = MaterialPreview {
-            material: Box::new(Material { roughness: 0.2, ..(*material).clone() }),
-            side: 96,
-        };
+        let rough = Conductor { roughness: 0.2, ..Conductor::default() };
+        let rough = MaterialPreview { material: Box::new(rough.into()), side: 96 };
         assert_eq!(rough.settings().samples, 64);
     }
 }

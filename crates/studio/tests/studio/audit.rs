@@ -399,9 +399,10 @@ fn how_long_a_large_tree_takes() {
 
 /// Panes of glass one behind the other, at whose faces every ray gives two.
 fn panes(count: usize) -> catoptric_scene::Scene {
-    use catoptric_scene::{Body, Material, MaterialChoice, Placement, Scene, Shape};
+    use catoptric_scene::{Body, Material, MaterialChoice, Phong, Placement, Scene, Shape};
     use glam::DVec3;
-    let glass = Material { reflection: Some(0.4), transmission: 0.5, ior: 1.5, ..Material::default() };
+    let glass =
+        Material::Phong(Phong { reflection: Some(0.4), transmission: 0.5, ior: 1.5, ..Phong::default() });
     let pane = |place: usize| Body {
         shape: Shape::Cube { size: DVec3::new(40.0, 40.0, 0.1) },
         placement: Placement::at(-0.3 * place as f64 * DVec3::Z),

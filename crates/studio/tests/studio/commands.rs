@@ -401,7 +401,9 @@ fn the_first_steps_tick_themselves_and_stay_away_once_dismissed() {
             scene.bodies[1].placement.anchor = catoptric_scene::Placement::default().anchor;
         })
         .unwrap();
-    editor.change(label(), |scene| scene.materials[1].material.reflection = Some(0.9)).unwrap();
+    editor
+        .change(label(), |scene| scene.materials[1].material.as_phong_mut().unwrap().reflection = Some(0.9))
+        .unwrap();
     settle(&mut harness);
     assert!(
         harness.query_all_by_label_contains("That is all.").next().is_none(),
@@ -428,7 +430,7 @@ fn with_first_steps_done() -> Kit {
     let change = |scene: &mut catoptric_scene::Scene| {
         scene.camera.position.x += 1.0;
         scene.bodies[1].placement.anchor = catoptric_scene::Placement::default().anchor;
-        scene.materials[1].material.reflection = Some(0.9);
+        scene.materials[1].material.as_phong_mut().unwrap().reflection = Some(0.9);
     };
     let label = catoptric_editor::Label::new("edit-reset-placement", "sphere");
     harness.state_mut().editor_mut().change(label, change).unwrap();

@@ -4,7 +4,8 @@ use std::collections::BTreeSet;
 
 use catoptric_editor::{Action, Item, Label, Selection};
 use catoptric_scene::{
-    Body, Checker, Color, Conductor, Falloff, Material, MaterialChoice, Model, Shape, Sky, Surroundings,
+    Attenuation, Body, Checker, Color, Conductor, Dielectric, Falloff, Material, MaterialChoice, MetalOptics,
+    Model, Pattern, Phong, Shape, Sky, Surroundings,
 };
 use catoptric_studio::host::Host as _;
 use catoptric_studio::{Command, Pane, StartDocument, Studio};
@@ -93,11 +94,18 @@ const CASES: [Case; 19] = [
         name: "glass of Phong",
         change: |window| {
             made_of(window, |material| {
-                (material.transmission, material.ior) = (0.85, 1.517);
-                material.reflection = Some(0.123_456);
-                material.color = Color::new(0.123_456, 0.234_567, 0.345_678);
-                material.tint = Color::new(0.9, 0.812_345, 0.7);
-                material.checker = Some(Checker::default());
+                *material = Material::Phong(Phong {
+                    pattern: Pattern {
+                        color: Color::new(0.123_456, 0.234_567, 0.345_678),
+                        checker: Some(Checker::default()),
+                        ..Pattern::default()
+                    },
+                    transmission: 0.85,
+                    ior: 1.517,
+                    reflection: Some(0.123_456),
+                    tint: Color::new(0.9, 0.812_345, 0.7),
+                    ..Phong::default()
+                });
             })
         },
     },
@@ -105,25 +113,26 @@ const CASES: [Case; 19] = [
         name: "dielectric",
         change: |window| {
             made_of(window, |material| {
-                (material.model, material.dispersion) = (Model::Dielectric, true);
-                material.attenuation_color = Color::new(0.123_456, 0.9, 0.345_678);
+                let color = Color::new(0.123_456, 0.9, 0.345_678);
+                let attenuation = Attenuation { color, ..Attenuation::default() };
+                *material = Dielectric { dispersion: true, attenuation, ..Dielectric::default() }.into();
             })
         },
     },
-    Case { name: "metal", change: |window| made_of(window, |material| material.model = Model::Conductor) },
+    Case { name: "metal", change: |window| made_of(window, |material| *material = Model::Conductor.into()) },
     Case {
         name: "own metal",
         change: |window| {
             made_of(window, |material| {
-                material.model = Model::Conductor;
                 let (n, k) = (DVec3::new(0.143, 0.375, 1.442), DVec3::new(3.983, 2.386, 1.603));
-                material.conductor = Conductor::Index { n, k };
+                let metal = MetalOptics::Index { n, k };
+                *material = Conductor { metal, ..Conductor::default() }.into();
             })
         },
     },
-    Case { name: "mirror", change: |window| made_of(window, |material| material.model = Model::Mirror) },
-    Case { name: "matte", change: |window| made_of(window, |material| material.model = Model::Matte) },
-    Case { name: "coated", change: |window| made_of(window, |material| material.model = Model::Coated) },
+    Case { name: "mirror", change: |window| made_of(window, |material| *material = Model::Mirror.into()) },
+    Case { name: "matte", change: |window| made_of(window, |material| *material = Model::Matte.into()) },
+    Case { name: "coated", change: |window| made_of(window, |material| *material = Model::Coated.into()) },
     Case {
         name: "light",
         change: |window| {

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use catoptric_editor::{Action, Item, Selection};
-use catoptric_scene::{Anchor, Body, Color, Falloff, Material, MaterialChoice, Projection, Scene, Shape};
+use catoptric_scene::{Anchor, Body, Color, Falloff, MaterialChoice, Phong, Projection, Scene, Shape};
 use catoptric_studio::{StartDocument, Studio};
 use egui::{Event, Key, Role, vec2};
 use egui_kittest::Harness;
@@ -96,9 +96,10 @@ fn own_missing(window: &Window) -> Vec<String> {
     window.state().texts().missing()
 }
 
-fn own_material(body: &Body) -> &Material {
+/// The material of a body that has one of its own, of Phong's model.
+fn own_material(body: &Body) -> &Phong {
     let MaterialChoice::Inline(material) = &body.material else { unreachable!("it has one of its own") };
-    material
+    material.as_phong().unwrap()
 }
 
 /// A window with a single selected body of this kind, with a material of its own.

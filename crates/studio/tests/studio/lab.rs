@@ -83,9 +83,10 @@ fn materials_that_give_more_than_they_get_are_told() {
     let label = catoptric_editor::Label::new("edit-specular", "");
     let edit = |_: usize, body: &mut catoptric_scene::Body| {
         if let catoptric_scene::MaterialChoice::Inline(material) = &mut body.material {
-            (material.specular, material.shininess) = (0.5, 20.0);
-            (material.diffuse, material.reflection) = (0.75, Some(0.5));
-            material.color = catoptric_scene::Color::WHITE;
+            let phong = material.as_phong_mut().unwrap();
+            (phong.specular, phong.shininess) = (0.5, 20.0);
+            (phong.diffuse, phong.reflection) = (0.75, Some(0.5));
+            phong.pattern.color = catoptric_scene::Color::WHITE;
         }
     };
     harness.state_mut().editor_mut().change_bodies([body], label, edit).unwrap();
@@ -99,9 +100,21 @@ fn materials_that_give_more_than_they_get_are_told() {
 
 #[test]
 fn every_model_is_warned_of_in_its_own_words() {
-    use catoptric_scene::{Color, Material, MaterialChoice, Model};
-    let bright = |model| Material { model, color: Color::new(0.5, 1.25, 0.2), ..Material::default() };
-    let phong = Material { diffuse: 0.4, reflection: Some(0.3), transmission: 0.5, ..bright(Model::Phong) };
+    use catoptric_scene::{Color, Material, MaterialChoice, Model, Phong};
+    let pattern = || Color::new(0.5, 1.25, 0.2).into();
+    let bright = |model| {
+        let mut material = Material::from(model);
+        *material.pattern_mut().unwrap() = pattern();
+        material
+    };
+    let excessive = Phong {
+        pattern: pattern(),
+        diffuse: 0.4,
+        reflection: Some(0.3),
+        transmission: 0.5,
+        ..Phong::default()
+    };
+    let phong = Material::Phong(excessive);
     let cases = [
         (
             phong,
@@ -132,8 +145,9 @@ fn every_model_is_warned_of_in_its_own_words() {
         harness.state_mut().run(Command::Language(Language::Russian));
         harness.run_steps(4);
         assert!(words(&harness).iter().any(|words| words.starts_with(russian)), "{russian}");
-        let fair = Material { color: Color::gray(0.5), transmission: 0.0, diffuse: 0.5, ..material };
-        give(&mut harness, Material { reflection: None, ..fair });
+        let mut fair = Material::from(material.model());
+        *fair.pattern_mut().unwrap() = Color::gray(0.5).into();
+        give(&mut harness, fair);
         harness.run_steps(4);
         assert!(!words(&harness).iter().any(|words| words.starts_with(russian)), "{russian}");
     }

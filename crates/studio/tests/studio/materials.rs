@@ -1,7 +1,7 @@
 //! The browser of materials: pictures, keys, and what a click gives.
 
 use catoptric_editor::{Item, Selection};
-use catoptric_scene::{Body, Conductor, MaterialChoice, Model};
+use catoptric_scene::{Body, Conductor, Material, MaterialChoice, MetalOptics, Model};
 use catoptric_studio::{Command, Language, Pane, Studio};
 use egui::{Event, Key, Modifiers, Role};
 use egui_kittest::Harness;
@@ -57,8 +57,10 @@ fn body(harness: &Kit, place: usize) -> Body {
 
 fn is_gold(choice: &MaterialChoice) -> bool {
     let MaterialChoice::Inline(material) = choice else { return false };
-    let Conductor::Metal(metal) = material.conductor else { return false };
-    material.model == Model::Conductor && metal.name == "gold" && material.roughness == 0.0
+    let Material::Conductor(Conductor { metal: MetalOptics::Metal(metal), roughness }) = **material else {
+        return false;
+    };
+    metal.name == "gold" && roughness == 0.0
 }
 
 #[test]
@@ -117,7 +119,7 @@ fn a_selected_material_becomes_like_a_preset() {
     find(&mut harness, "terracotta");
     click(&mut harness, "Terracotta");
     let editor = harness.state_mut().editor_mut();
-    assert_eq!(editor.scene().materials[1].material.model, Model::Matte);
+    assert_eq!(editor.scene().materials[1].material.model(), Model::Matte);
     assert_eq!(editor.scene().bodies, before.bodies);
     assert!(editor.undo() && *editor.scene() == before);
 }
@@ -135,7 +137,7 @@ fn keys_walk_choose_and_close() {
         press(&mut harness, key);
     }
     let MaterialChoice::Inline(mirror) = body(&harness, SPHERE).material else { panic!() };
-    assert!(mirror.model == Model::Phong && mirror.reflection() == 0.9);
+    assert_eq!(mirror.as_phong().unwrap().reflection(), 0.9);
     assert!(!body(&harness, SPHERE).hidden);
     press(&mut harness, Key::Escape);
     assert!(!is_open(&harness));
@@ -162,7 +164,7 @@ fn pictures_are_traced_behind_the_window() {
     let before = harness.state().pictured_materials();
     let label = catoptric_editor::Label::new("edit-color", "");
     let editor = harness.state_mut().editor_mut();
-    editor.change_material(0, label, |material| material.ambient = 0.7).unwrap();
+    editor.change_material(0, label, |material| *material.ambient_mut().unwrap() = 0.7).unwrap();
     editor.settle();
     wait_until(&mut harness, "the new picture", move |studio| studio.pictured_materials() > before);
 }

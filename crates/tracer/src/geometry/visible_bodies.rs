@@ -141,7 +141,7 @@ impl BoundingCone {
 pub(crate) mod tests {
     use std::f64::consts::PI;
 
-    use catoptric_scene::{Anchor, Body, Light, Material, MaterialChoice, Placement, Scene, Shape};
+    use catoptric_scene::{Anchor, Body, Light, Material, MaterialChoice, Phong, Placement, Scene, Shape};
     use proptest::collection::vec;
     use proptest::prelude::*;
 
@@ -204,8 +204,13 @@ pub(crate) mod tests {
     }
 
     fn of(body: Body, transmission: f64) -> Body {
-        let material =
-            Material { diffuse: 0.3, reflection: Some(0.2), transmission, ior: 1.4, ..Material::default() };
+        let material = Material::Phong(Phong {
+            diffuse: 0.3,
+            reflection: Some(0.2),
+            transmission,
+            ior: 1.4,
+            ..Phong::default()
+        });
         Body { material: MaterialChoice::Inline(Box::new(material)), ..body }
     }
 

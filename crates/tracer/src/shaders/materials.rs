@@ -181,7 +181,10 @@ impl WavelengthUniforms {
 
 #[cfg(test)]
 mod tests {
-    use catoptric_scene::{Body, Conductor, Example, Light, Material, MaterialChoice, Model, Scene};
+    use catoptric_scene::{
+        Attenuation, Body, Conductor, Dielectric, Example, Light, Material, MaterialChoice, MetalOptics,
+        Model, Scene,
+    };
 
     use super::*;
     use crate::shaders::shader;
@@ -196,10 +199,6 @@ mod tests {
         RenderScene::build(&scene).unwrap()
     }
 
-    fn made_of(model: Model) -> Material {
-        Material { model, ..Material::default() }
-    }
-
     fn special(render_scene: &RenderScene) -> ShaderSpecialization {
         ShaderSpecialization::of(
             &crate::shaders::specialize::SceneContents::of(render_scene),
@@ -211,23 +210,22 @@ mod tests {
 
     #[test]
     fn only_what_is_there_is_asked_for() {
-        let plain = [Model::Phong, Model::Matte].map(made_of);
+        let plain = [Model::Phong, Model::Matte].map(Material::from);
         assert_eq!(PhysicalFeatures::of(&stage_of(&plain, 0.0)), PhysicalFeatures::NOTHING);
         assert_eq!(PhysicalFeatures::of(&stage_of(&plain, 0.5)), PhysicalFeatures::BALLS);
-        let rough = Material { roughness: 0.5, ..made_of(Model::Conductor) };
+        let rough = Conductor { roughness: 0.5, ..Conductor::default() }.into();
         let metal = PhysicalFeatures::LAWS | PhysicalFeatures::METALS;
         assert_eq!(PhysicalFeatures::of(&stage_of(&[rough], 0.0)), metal | PhysicalFeatures::FACETS);
-        let glass = Material { attenuation_distance: 0.1, ..made_of(Model::Dielectric) };
-        assert_eq!(
-            PhysicalFeatures::of(&stage_of(std::slice::from_ref(&glass), 0.0)),
-            PhysicalFeatures::LAWS
-        );
-        let tinted = Material { attenuation_color: catoptric_scene::Color::gray(0.5), ..glass.clone() };
+        let near = Attenuation { distance: 0.1, ..Attenuation::default() };
+        let glass = Dielectric { attenuation: near, ..Dielectric::default() };
+        assert_eq!(PhysicalFeatures::of(&stage_of(&[glass.clone().into()], 0.0)), PhysicalFeatures::LAWS);
+        let gray = Attenuation { color: catoptric_scene::Color::gray(0.5), ..near };
+        let tinted = Dielectric { attenuation: gray, ..glass.clone() }.into();
         assert_eq!(
             PhysicalFeatures::of(&stage_of(&[tinted], 0.0)),
             PhysicalFeatures::LAWS | PhysicalFeatures::ABSORBS
         );
-        let torn = Material { dispersion: true, ..glass };
+        let torn = Dielectric { dispersion: true, ..glass }.into();
         assert_eq!(
             PhysicalFeatures::of(&stage_of(&[torn], 0.0)),
             PhysicalFeatures::LAWS | PhysicalFeatures::DISPERSES
@@ -249,15 +247,10 @@ mod tests {
 
     #[test]
     fn tables_stand_where_materials_point() {
-        let gold = Material {
-            conductor: Conductor::Metal(catoptric_optics::Metal::named("gold").unwrap()),
-            ..made_of(Model::Conductor)
-        };
-        let glass = Material { dispersion: true, ..made_of(Model::Dielectric) };
-        let render_scene = stage_of(
-            &[gold.clone(), glass, Material { roughness: 0.3, ..gold }, made_of(Model::Mirror)],
-            0.0,
-        );
+        let metal = MetalOptics::Metal(catoptric_optics::Metal::named("gold").unwrap());
+        let gold = |roughness| Material::from(Conductor { metal, roughness });
+        let glass = Dielectric { dispersion: true, ..Dielectric::default() }.into();
+        let render_scene = stage_of(&[gold(0.0), glass, gold(0.3), Model::Mirror.into()], 0.0);
         let rows = rows(&render_scene);
         let laws: Vec<MaterialRow> = rows.chunks(ROWS as usize).take(4).map(|material| material[3]).collect();
         assert_eq!(

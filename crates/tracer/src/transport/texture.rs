@@ -5,7 +5,7 @@ pub(crate) mod lookup;
 
 use std::f32::consts::{PI, TAU};
 
-use catoptric_scene::Material;
+use catoptric_scene::Pattern;
 
 use crate::geometry::shape::{CanonicalShape, ShapeKind};
 use crate::simd::vector::Vector;
@@ -17,19 +17,13 @@ use crate::transport::texture::lookup::{AddressMode, ImageLookup};
 pub(crate) struct ImageTexture(ImageLookup);
 
 impl ImageTexture {
-    /// The texture of a material whose color is seen, once its pixels are known.
-    pub(crate) fn new(material: &Material) -> Option<Self> {
-        let image = material.texture.as_ref().filter(|_| material.model.has_color())?;
-        ImageLookup::new(image).map(Self)
+    /// The texture of a pattern, once its pixels are known.
+    pub(crate) fn new(pattern: &Pattern) -> Option<Self> {
+        pattern.texture.as_ref().and_then(ImageLookup::new).map(Self)
     }
 
     pub(crate) fn image(&self) -> &ImageLookup {
         &self.0
-    }
-
-    /// A number that no other picture has while this one is kept.
-    pub(crate) fn number(&self) -> u64 {
-        self.0.number()
     }
 
     /// The colors where rays `lanes` met a body, at these points of its own frame.

@@ -101,8 +101,8 @@ fn pictures_agree_with_mitsuba() {
 fn slightly_other_materials_are_noticed() {
     type Change = fn(&mut Material);
     let changes: [(&str, &str, Change); 2] = [
-        ("glass-sphere", "glass", |glass| glass.ior = 1.45),
-        ("rough-metal-03", "metal", |metal| metal.roughness = 0.35),
+        ("glass-sphere", "glass", |glass| *glass.ior_mut().unwrap() = 1.45),
+        ("rough-metal-03", "metal", |metal| *metal.roughness_mut().unwrap() = 0.35),
     ];
     for (name, material, change) in changes {
         let path = folder().join(name).with_extension("toml");

@@ -1,7 +1,7 @@
 //! The laws of surfaces that are not Phong's, in symbols and in numbers.
 
 use catoptric_optics::{Metal, fresnel, observer};
-use catoptric_scene::{Conductor, Material, Model};
+use catoptric_scene::{Coated, Conductor, Dielectric, Material, MetalOptics, Mirror};
 use egui::{Id, Ui};
 
 use super::{FormulaFactor, FormulaRow, color_text, rows_ui};
@@ -19,16 +19,16 @@ pub(in crate::inspector) fn law_ui(
     material: &Material,
 ) {
     let mut lines = LawLines { rows: Vec::new(), texts };
-    match material.model {
-        Model::Phong => {}
-        Model::Dielectric => lines.dielectric(material),
-        Model::Conductor => lines.conductor(material),
-        Model::Mirror => lines.mirror(material),
-        Model::Matte => lines.matte(),
-        Model::Coated => lines.coated(material),
+    match material {
+        Material::Phong(_) => {}
+        Material::Dielectric(dielectric) => lines.dielectric(dielectric),
+        Material::Conductor(conductor) => lines.conductor(conductor.metal),
+        Material::Mirror(mirror) => lines.mirror(mirror),
+        Material::Matte(_) => lines.matte(),
+        Material::Coated(coated) => lines.coated(coated),
     }
     rows_ui(ui, texts, memory, Id::unique("formula-law"), &lines.rows);
-    if let (Model::Conductor, Conductor::Metal(metal)) = (material.model, material.conductor) {
+    if let Material::Conductor(Conductor { metal: MetalOptics::Metal(metal), .. }) = material {
         metal_ui(ui, texts, metal);
     }
 }
@@ -90,7 +90,8 @@ impl LawLines<'_> {
         FormulaFactor::text(Symbol::Reflected, self.texts.get("in-formula-reflected"))
     }
 
-    fn dielectric(&mut self, material: &Material) {
+    fn dielectric(&mut self, dielectric: &Dielectric) {
+        let Dielectric { index, attenuation, .. } = *dielectric;
         let refracted = FormulaFactor::text(Symbol::Refracted, self.texts.get("in-formula-refracted"));
         let sum = vec![
             FormulaFactor::sign("I = R(θ) "),
@@ -99,7 +100,7 @@ impl LawLines<'_> {
             refracted,
         ];
         self.symbols("in-formula-sum", sum);
-        self.straight(material);
+        self.straight(index.ior());
         self.symbols(
             "in-formula-snell",
             vec![
@@ -112,22 +113,20 @@ impl LawLines<'_> {
             "in-formula-snell",
             vec![
                 FormulaFactor::sign("sin α = "),
-                FormulaFactor::number(self.texts, Symbol::Ior, material.ior()),
+                FormulaFactor::number(self.texts, Symbol::Ior, index.ior()),
                 FormulaFactor::sign(" · sin β"),
             ],
         );
-        if material.attenuation_color != catoptric_scene::Color::WHITE {
+        if attenuation.color != catoptric_scene::Color::WHITE {
             self.symbols("in-formula-loss", vec![FormulaFactor::sign("T(d) = c^{d/D}")]);
-            let (color, distance) =
-                (color_text(self.texts, material.attenuation_color), material.attenuation_distance);
-            let markup = format!("T(d) = {color}^{{d/{}}}", shown(self.texts, distance, 3));
+            let color = color_text(self.texts, attenuation.color);
+            let markup = format!("T(d) = {color}^{{d/{}}}", shown(self.texts, attenuation.distance, 3));
             self.numbers("in-formula-loss", vec![FormulaFactor::sign(&markup)]);
         }
     }
 
     /// R(0) of a clear surface.
-    fn straight(&mut self, material: &Material) {
-        let ior = material.ior();
+    fn straight(&mut self, ior: f64) {
         let root = (ior - 1.0) / (ior + 1.0);
         self.symbols("in-formula-straight", vec![FormulaFactor::sign("R(0) = ((η − 1)/(η + 1))^2")]);
         let index = shown(self.texts, ior, 3);
@@ -135,15 +134,15 @@ impl LawLines<'_> {
         self.numbers("in-formula-straight", vec![FormulaFactor::sign(&markup)]);
     }
 
-    fn conductor(&mut self, material: &Material) {
+    fn conductor(&mut self, metal: MetalOptics) {
         let sum = vec![FormulaFactor::sign("I = R(θ) "), self.reflected()];
         self.symbols("in-formula-sum", sum);
         self.symbols(
             "in-formula-straight",
             vec![FormulaFactor::sign("R(0) = ((n − 1)^2 + k^2)/((n + 1)^2 + k^2)")],
         );
-        let [r, g, b] = match material.conductor {
-            Conductor::Metal(metal) => {
+        let [r, g, b] = match metal {
+            MetalOptics::Metal(metal) => {
                 let [least, most] = spectral_range(metal).map(|(_, share)| shown(self.texts, share, 3));
                 self.numbers(
                     "in-formula-straight",
@@ -151,7 +150,7 @@ impl LawLines<'_> {
                 );
                 metal.reflectance(1.0, 1.0)
             }
-            Conductor::Index { n, k } => {
+            MetalOptics::Index { n, k } => {
                 let straight = |n: f64, k: f64| ((n - 1.0).powi(2) + k * k) / ((n + 1.0).powi(2) + k * k);
                 [straight(n.x, k.x), straight(n.y, k.y), straight(n.z, k.z)]
             }
@@ -160,7 +159,7 @@ impl LawLines<'_> {
         self.numbers("in-formula-straight", vec![FormulaFactor::sign(&format!("RGB = ({numbers})"))]);
     }
 
-    fn mirror(&mut self, material: &Material) {
+    fn mirror(&mut self, mirror: &Mirror) {
         self.symbols(
             "in-formula-sum",
             vec![
@@ -174,9 +173,9 @@ impl LawLines<'_> {
             "in-formula-sum",
             vec![
                 FormulaFactor::sign("I = "),
-                FormulaFactor::number(self.texts, Symbol::Reflection, material.reflection()),
+                FormulaFactor::number(self.texts, Symbol::Reflection, mirror.reflection()),
                 FormulaFactor::sign("·"),
-                FormulaFactor::color(self.texts, Symbol::Color, material.emblem()),
+                FormulaFactor::color(self.texts, Symbol::Color, mirror.pattern.mean()),
                 FormulaFactor::sign("·"),
                 self.reflected(),
             ],
@@ -210,14 +209,14 @@ impl LawLines<'_> {
         self.ground();
     }
 
-    fn coated(&mut self, material: &Material) {
+    fn coated(&mut self, coated: &Coated) {
         self.ground();
         self.symbols(
             "in-formula-coat",
             vec![FormulaFactor::sign("· (1 − R(θ)) (1 − R(θ_j))/(η^2 (1 − C R_i))")],
         );
         self.symbols("in-formula-reflection", vec![FormulaFactor::sign("+ R(θ) "), self.reflected()]);
-        self.straight(material);
+        self.straight(coated.ior);
     }
 }
 

@@ -1,6 +1,6 @@
 //! The light at a point, term by term.
 
-use catoptric_scene::{Falloff, Light, Material, Scene};
+use catoptric_scene::{Falloff, Light, Phong, Scene};
 use egui::{Id, Role, Sense, Ui, WidgetInfo, vec2};
 
 use super::{FormulaFactor, FormulaRow, color_text, rows_ui};
@@ -21,17 +21,17 @@ pub(in crate::inspector) fn material_ui(
     ui: &mut Ui,
     texts: &Texts,
     memory: &mut InspectorState,
-    material: &Material,
+    phong: &Phong,
     scene: &Scene,
 ) {
     let mut rows = Vec::new();
-    ambient(&mut rows, texts, material, scene);
-    diffuse(&mut rows, texts, material);
-    highlight(&mut rows, texts, material);
-    reflection(&mut rows, texts, material);
-    transmission(&mut rows, texts, material);
+    ambient(&mut rows, texts, phong, scene);
+    diffuse(&mut rows, texts, phong);
+    highlight(&mut rows, texts, phong);
+    reflection(&mut rows, texts, phong);
+    transmission(&mut rows, texts, phong);
     rows_ui(ui, texts, memory, Id::unique("formula"), &rows);
-    refraction_ui(ui, texts, memory, material);
+    refraction_ui(ui, texts, memory, phong);
     lights_ui(ui, texts, scene);
 }
 
@@ -49,7 +49,7 @@ fn pair<'t>(
 }
 
 /// I = k_a C I_a
-fn ambient<'t>(rows: &mut Vec<FormulaRow<'t>>, texts: &'t Texts, material: &Material, scene: &Scene) {
+fn ambient<'t>(rows: &mut Vec<FormulaRow<'t>>, texts: &'t Texts, phong: &Phong, scene: &Scene) {
     let symbols = vec![
         FormulaFactor::sign("I = "),
         FormulaFactor::symbol(Symbol::Ambient),
@@ -57,17 +57,17 @@ fn ambient<'t>(rows: &mut Vec<FormulaRow<'t>>, texts: &'t Texts, material: &Mate
         FormulaFactor::symbol(Symbol::AmbientLight),
     ];
     let numbers = vec![
-        FormulaFactor::number(texts, Symbol::Ambient, material.ambient),
+        FormulaFactor::number(texts, Symbol::Ambient, phong.ambient),
         FormulaFactor::sign("·"),
-        FormulaFactor::color(texts, Symbol::Color, material.emblem()),
+        FormulaFactor::color(texts, Symbol::Color, phong.pattern.mean()),
         FormulaFactor::sign("·"),
         FormulaFactor::color(texts, Symbol::AmbientLight, scene.environment.ambient),
     ];
-    pair(rows, texts.get("in-formula-ambient"), 0.0, material.ambient == 0.0, symbols, numbers);
+    pair(rows, texts.get("in-formula-ambient"), 0.0, phong.ambient == 0.0, symbols, numbers);
 }
 
 /// Σ_j V_j A(d_j) I_j [ k_d C (N·L_j)
-fn diffuse<'t>(rows: &mut Vec<FormulaRow<'t>>, texts: &'t Texts, material: &Material) {
+fn diffuse<'t>(rows: &mut Vec<FormulaRow<'t>>, texts: &'t Texts, phong: &Phong) {
     let sum = vec![
         FormulaFactor::sign("+ Σ_j "),
         FormulaFactor::symbol(Symbol::Visibility),
@@ -75,7 +75,7 @@ fn diffuse<'t>(rows: &mut Vec<FormulaRow<'t>>, texts: &'t Texts, material: &Mate
         FormulaFactor::symbol(Symbol::Light),
         FormulaFactor::sign(" ["),
     ];
-    let is_idle = material.diffuse == 0.0 && material.specular == 0.0;
+    let is_idle = phong.diffuse == 0.0 && phong.specular == 0.0;
     let name = texts.get("in-formula-sum");
     rows.push(FormulaRow { name, factors: sum, is_numeric: false, is_idle, indent: 14.0 });
     let symbols = vec![
@@ -84,17 +84,17 @@ fn diffuse<'t>(rows: &mut Vec<FormulaRow<'t>>, texts: &'t Texts, material: &Mate
         FormulaFactor::symbol(Symbol::Lambert),
     ];
     let numbers = vec![
-        FormulaFactor::number(texts, Symbol::Diffuse, material.diffuse),
+        FormulaFactor::number(texts, Symbol::Diffuse, phong.diffuse),
         FormulaFactor::sign("·"),
-        FormulaFactor::color(texts, Symbol::Color, material.emblem()),
+        FormulaFactor::color(texts, Symbol::Color, phong.pattern.mean()),
         FormulaFactor::sign("·"),
         FormulaFactor::symbol(Symbol::Lambert),
     ];
-    pair(rows, texts.get("in-formula-diffuse"), 44.0, material.diffuse == 0.0, symbols, numbers);
+    pair(rows, texts.get("in-formula-diffuse"), 44.0, phong.diffuse == 0.0, symbols, numbers);
 }
 
 /// + k_s ((S·R)⁺)ⁿ ]
-fn highlight<'t>(rows: &mut Vec<FormulaRow<'t>>, texts: &'t Texts, material: &Material) {
+fn highlight<'t>(rows: &mut Vec<FormulaRow<'t>>, texts: &'t Texts, phong: &Phong) {
     let symbols = vec![
         FormulaFactor::sign("+ "),
         FormulaFactor::symbol(Symbol::Specular),
@@ -102,25 +102,25 @@ fn highlight<'t>(rows: &mut Vec<FormulaRow<'t>>, texts: &'t Texts, material: &Ma
         FormulaFactor::text(Symbol::Shininess, "^n"),
         FormulaFactor::sign(" ]"),
     ];
-    let exponent = format!("^{{{}}}", shown(texts, material.shininess, 1));
+    let exponent = format!("^{{{}}}", shown(texts, phong.shininess, 1));
     let numbers = vec![
-        FormulaFactor::number(texts, Symbol::Specular, material.specular),
+        FormulaFactor::number(texts, Symbol::Specular, phong.specular),
         FormulaFactor::sign("·"),
         FormulaFactor::symbol(Symbol::Mirrored),
         FormulaFactor::text(Symbol::Shininess, exponent),
     ];
-    pair(rows, texts.get("in-formula-highlight"), 32.0, material.specular == 0.0, symbols, numbers);
+    pair(rows, texts.get("in-formula-highlight"), 32.0, phong.specular == 0.0, symbols, numbers);
 }
 
 /// + k_r I_reflected
-fn reflection<'t>(rows: &mut Vec<FormulaRow<'t>>, texts: &'t Texts, material: &Material) {
+fn reflection<'t>(rows: &mut Vec<FormulaRow<'t>>, texts: &'t Texts, phong: &Phong) {
     let reflected = texts.get("in-formula-reflected");
     let symbols = vec![
         FormulaFactor::sign("+ "),
         FormulaFactor::symbol(Symbol::Reflection),
         FormulaFactor::text(Symbol::Reflected, reflected),
     ];
-    let value = material.reflection();
+    let value = phong.reflection();
     let numbers = vec![
         FormulaFactor::number(texts, Symbol::Reflection, value),
         FormulaFactor::sign("·"),
@@ -130,7 +130,7 @@ fn reflection<'t>(rows: &mut Vec<FormulaRow<'t>>, texts: &'t Texts, material: &M
 }
 
 /// + k_t τ I_refracted
-fn transmission<'t>(rows: &mut Vec<FormulaRow<'t>>, texts: &'t Texts, material: &Material) {
+fn transmission<'t>(rows: &mut Vec<FormulaRow<'t>>, texts: &'t Texts, phong: &Phong) {
     let refracted = texts.get("in-formula-refracted");
     let symbols = vec![
         FormulaFactor::sign("+ "),
@@ -139,18 +139,18 @@ fn transmission<'t>(rows: &mut Vec<FormulaRow<'t>>, texts: &'t Texts, material: 
         FormulaFactor::text(Symbol::Refracted, refracted),
     ];
     let numbers = vec![
-        FormulaFactor::number(texts, Symbol::Transmission, material.transmission),
+        FormulaFactor::number(texts, Symbol::Transmission, phong.transmission),
         FormulaFactor::sign("·"),
-        FormulaFactor::color(texts, Symbol::Tint, material.tint),
+        FormulaFactor::color(texts, Symbol::Tint, phong.tint),
         FormulaFactor::sign("·"),
         FormulaFactor::text(Symbol::Refracted, refracted),
     ];
-    pair(rows, texts.get("in-formula-transmission"), 14.0, material.transmission == 0.0, symbols, numbers);
+    pair(rows, texts.get("in-formula-transmission"), 14.0, phong.transmission == 0.0, symbols, numbers);
 }
 
 /// Snell's law and the critical angle, for what lets light through.
-fn refraction_ui(ui: &mut Ui, texts: &Texts, memory: &mut InspectorState, material: &Material) {
-    if material.transmission == 0.0 {
+fn refraction_ui(ui: &mut Ui, texts: &Texts, memory: &mut InspectorState, phong: &Phong) {
+    if phong.transmission == 0.0 {
         return;
     }
     let name = texts.get("in-formula-snell");
@@ -161,16 +161,16 @@ fn refraction_ui(ui: &mut Ui, texts: &Texts, memory: &mut InspectorState, materi
     ];
     let numbers = vec![
         FormulaFactor::sign("sin α = "),
-        FormulaFactor::number(texts, Symbol::Ior, material.ior),
+        FormulaFactor::number(texts, Symbol::Ior, phong.ior),
         FormulaFactor::sign(" · sin β"),
     ];
     let mut rows = Vec::new();
     pair(&mut rows, name, 0.0, false, symbols, numbers);
     rows_ui(ui, texts, memory, Id::unique("formula-snell"), &rows);
-    let ratio = material.ior.min(material.ior.recip());
+    let ratio = phong.ior.min(phong.ior.recip());
     if ratio < 1.0 {
         let angle = shown(texts, ratio.asin().to_degrees(), 1);
-        let key = if material.ior > 1.0 { "critical-angle" } else { "critical-angle-outside" };
+        let key = if phong.ior > 1.0 { "critical-angle" } else { "critical-angle-outside" };
         hint(ui, &texts.with(key, &[("angle", angle.into())]));
     }
 }

@@ -128,7 +128,7 @@ fn the_two_ends_of_an_axis() {
 #[test]
 fn every_coefficient() {
     let mut window = with_body(Shape::SPHERE);
-    type Case = (&'static str, f64, &'static str, fn(&Material) -> f64);
+    type Case = (&'static str, f64, &'static str, fn(&Phong) -> f64);
     let cases: [Case; 7] = [
         ("k_a ambient", 0.25, "edit-ambient", |m| m.ambient),
         ("k_d diffuse", 0.45, "edit-diffuse", |m| m.diffuse),
@@ -143,7 +143,7 @@ fn every_coefficient() {
     }
     click(&mut window, Role::CheckBox, "second color");
     adjusts(&mut window, "s cell size", 0.5, "edit-checker-size", |scene| {
-        own_material(sphere_of(scene)).checker.unwrap().size
+        own_material(sphere_of(scene)).pattern.checker.unwrap().size
     });
 }
 
@@ -154,10 +154,12 @@ fn the_same_coefficients_of_a_shared_material() {
     select(&mut window, [sphere]);
     let red =
         |scene: &Scene| scene.materials.iter().find(|named| named.name == "red").unwrap().material.clone();
-    adjusts(&mut window, "k_d diffuse", 0.3, "edit-diffuse", |scene| red(scene).diffuse);
+    adjusts(&mut window, "k_d diffuse", 0.3, "edit-diffuse", |scene| red(scene).as_phong().unwrap().diffuse);
     let index = scene(&window).materials.iter().position(|named| named.name == "red").unwrap();
     select(&mut window, [Item::Material(index)]);
-    adjusts(&mut window, "k_t transmission", 0.5, "edit-transmission", |scene| red(scene).transmission);
+    adjusts(&mut window, "k_t transmission", 0.5, "edit-transmission", |scene| {
+        red(scene).as_phong().unwrap().transmission
+    });
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Everything that is chosen rather than measured.
 
 use super::*;
-use catoptric_scene::ShapeKind;
+use catoptric_scene::{Material, ShapeKind};
 
 #[test]
 fn every_shape() {
@@ -24,8 +24,8 @@ fn every_shape() {
 #[test]
 fn every_kind_of_reflection_keeps_the_color() {
     let mut window = with_body(Shape::SPHERE);
-    let color = own_material(sphere_of(&scene(&window))).color;
-    type Case = (&'static str, fn(&Material) -> bool);
+    let color = own_material(sphere_of(&scene(&window))).pattern.color;
+    type Case = (&'static str, fn(&Phong) -> bool);
     let cases: [Case; 4] = [
         ("Mirror", |m| m.reflection() > 0.8 && m.transmission == 0.0),
         ("Glass", |m| m.transmission > 0.5),
@@ -38,7 +38,7 @@ fn every_kind_of_reflection_keeps_the_color() {
         click(&mut window, Role::RadioButton, &label);
         let material = own_material(sphere_of(&scene(&window))).clone();
         assert!(is_it(&material), "{name}: {material:?}");
-        assert_eq!(material.color, color);
+        assert_eq!(material.pattern.color, color);
         assert!(is_chosen(&window, &label), "{name}");
         holds_as_step(&mut window, &before, "edit-kind");
     }
@@ -67,15 +67,38 @@ fn reflection_follows_the_highlight_or_not() {
 }
 
 #[test]
+fn a_model_that_comes_back_has_its_numbers_again() {
+    fn choose(window: &mut Window, model: &str) -> Material {
+        let before = scene(window);
+        click(window, Role::ComboBox, "Model");
+        window.get_all_by_label(model).last().unwrap().click();
+        window.run_steps(3);
+        holds_as_step(window, &before, "edit-model");
+        let MaterialChoice::Inline(material) = sphere_of(&scene(window)).material.clone() else { panic!() };
+        *material
+    }
+    let mut window = with_body(Shape::SPHERE);
+    enter(&mut window, "k_d diffuse", "0.35");
+    let phong = own_material(sphere_of(&scene(&window))).clone();
+    let Material::Dielectric(clear) = choose(&mut window, "Clear body") else { panic!() };
+    assert_eq!(clear.index.ior(), phong.ior);
+    click(&mut window, Role::CheckBox, "splits light");
+    enter(&mut window, "η refraction", "1.7");
+    assert_eq!(choose(&mut window, "Phong, Whitted"), Phong { ior: 1.7, ..phong.clone() }.into());
+    let Material::Dielectric(again) = choose(&mut window, "Clear body") else { panic!() };
+    assert!(again.dispersion && again.index.ior() == 1.7);
+}
+
+#[test]
 fn the_checker_is_switched() {
     let mut window = with_body(Shape::SPHERE);
     let before = scene(&window);
     click(&mut window, Role::CheckBox, "second color");
-    assert!(own_material(sphere_of(&scene(&window))).checker.is_some());
+    assert!(own_material(sphere_of(&scene(&window))).pattern.checker.is_some());
     holds_as_step(&mut window, &before, "edit-checker");
     let before = scene(&window);
     click(&mut window, Role::CheckBox, "second color");
-    assert_eq!(own_material(sphere_of(&scene(&window))).checker, None);
+    assert_eq!(own_material(sphere_of(&scene(&window))).pattern.checker, None);
     holds_as_step(&mut window, &before, "edit-checker");
 }
 
@@ -128,7 +151,7 @@ fn a_material_is_shared_made_own_and_chosen() {
     click(&mut window, Role::Button, "Share");
     let choice = sphere_of(&scene(&window)).material.clone();
     assert!(matches!(choice, MaterialChoice::Named(_)));
-    assert_eq!(scene(&window).material(&choice), Some(&red));
+    assert_eq!(scene(&window).material(&choice), Some(&red.into()));
     click(&mut window, Role::ComboBox, "Material of the body");
     window.get_all_by_label("floor").last().unwrap().click();
     window.run_steps(4);

@@ -18,11 +18,11 @@ fn every_color_by_its_code() {
     let orange = Color::from_srgb8([0xff, 0x80, 0x10]);
     let mut window = with_body(Shape::SPHERE);
     click(&mut window, Role::CheckBox, "second color");
-    type Case = (&'static str, &'static str, fn(&Material) -> Color);
+    type Case = (&'static str, &'static str, fn(&Phong) -> Color);
     let cases: [Case; 3] = [
-        ("C color", "edit-color", |m| m.color),
+        ("C color", "edit-color", |m| m.pattern.color),
         ("τ tint", "edit-tint", |m| m.tint),
-        ("Checker color", "edit-checker-color", |m| m.checker.unwrap().color),
+        ("Checker color", "edit-checker-color", |m| m.pattern.checker.unwrap().color),
     ];
     for (name, step, get) in cases {
         let before = scene(&window);
@@ -60,7 +60,7 @@ fn no_code_no_change() {
         window.get_by_label_contains("A color is written as #");
     }
     enter_code(&mut window, "C color", "#000000");
-    assert_eq!(own_material(sphere_of(&scene(&window))).color, Color::BLACK);
+    assert_eq!(own_material(sphere_of(&scene(&window))).pattern.color, Color::BLACK);
     assert!(window.query_by_label_contains("A color is written as #").is_none());
 }
 
@@ -70,7 +70,7 @@ fn the_picker_changes_the_color_while_it_is_dragged() {
     let before = scene(&window);
     click(&mut window, Role::ColorWell, "C color");
     let square = window.get_by_label("C color: saturation and brightness").rect();
-    let color = |window: &Window| own_material(sphere_of(&scene(window))).color;
+    let color = |window: &Window| own_material(sphere_of(&scene(window))).pattern.color;
     window.hover_at(square.center());
     window.run_steps(2);
     window.drag_at(square.center());
@@ -79,7 +79,7 @@ fn the_picker_changes_the_color_while_it_is_dragged() {
     window.hover_at(square.right_top());
     window.run_steps(2);
     let Color { r, g, b } = color(&window);
-    assert!(first != before.material(&sphere_of(&before).material).unwrap().color);
+    assert!(first != before.material(&sphere_of(&before).material).unwrap().pattern().unwrap().color);
     assert!(r == 1.0 && g < 0.2 && b < 0.2, "full red: {r} {g} {b}");
     window.drop_at(square.right_top());
     window.run_steps(3);

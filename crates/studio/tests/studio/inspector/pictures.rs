@@ -66,12 +66,12 @@ fn a_texture_takes_the_place_of_the_color() {
     choose(&mut window, "Texture", "Planet");
     holds_as_step(&mut window, &before, "edit-texture");
     opened(&mut window);
-    let texture = own_material(sphere_of(&scene(&window))).texture.clone().unwrap();
+    let texture = own_material(sphere_of(&scene(&window))).pattern.texture.clone().unwrap();
     assert_eq!(texture.path(), "builtin:planet");
     assert!(window.query_by_label_contains("C color").is_none());
     let before = scene(&window);
     choose(&mut window, "Texture", "none");
-    assert_eq!(own_material(sphere_of(&scene(&window))).texture, None);
+    assert_eq!(own_material(sphere_of(&scene(&window))).pattern.texture, None);
     holds_as_step(&mut window, &before, "edit-texture");
 }
 
@@ -81,7 +81,7 @@ fn a_checker_lies_along_the_axes_of_the_world_or_the_body() {
     click(&mut window, Role::CheckBox, "second color");
     let before = scene(&window);
     click(&mut window, Role::RadioButton, "Along axes of: Body");
-    assert_eq!(own_material(sphere_of(&scene(&window))).checker.unwrap().space, CheckerSpace::Body);
+    assert_eq!(own_material(sphere_of(&scene(&window))).pattern.checker.unwrap().space, CheckerSpace::Body);
     holds_as_step(&mut window, &before, "edit-checker-space");
 }
 

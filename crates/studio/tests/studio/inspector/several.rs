@@ -53,7 +53,7 @@ fn materials_of_several_bodies_change_together() {
     enter(&mut window, "k_d diffuse", "0.125");
     let scene_now = scene(&window);
     for body in &scene_now.bodies {
-        let diffuse = scene_now.material(&body.material).unwrap().diffuse;
+        let diffuse = scene_now.material(&body.material).unwrap().as_phong().unwrap().diffuse;
         assert_eq!(diffuse == 0.125, names.contains(&body.name.as_str()), "{}", body.name);
     }
     holds_as_step(&mut window, &before, "edit-diffuse");

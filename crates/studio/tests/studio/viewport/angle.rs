@@ -1,7 +1,7 @@
 //! The angle under which the point under the pointer is seen, told beside the curve of its material.
 
 use catoptric_editor::{Action, Label};
-use catoptric_scene::{Conductor, Material, MaterialChoice, Model};
+use catoptric_scene::{Conductor, Dielectric, Material, MaterialChoice, MetalOptics, RefractiveIndex};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 use super::*;
@@ -27,7 +27,7 @@ impl Hand {
 }
 
 fn glass() -> Material {
-    Material { model: Model::Dielectric, ior: 1.5, ..Material::default() }
+    Material::Dielectric(Dielectric { index: 1.5.into(), ..Dielectric::default() })
 }
 
 #[test]
@@ -62,8 +62,8 @@ fn the_middle_of_a_ball_is_seen_straight_and_its_rim_under_a_right_angle() {
 
 #[test]
 fn metals_have_a_share_for_each_color_and_no_inside() {
-    let conductor = Conductor::Index { n: DVec3::new(1.0, 2.0, 3.0), k: DVec3::new(2.0, 2.0, 2.0) };
-    let mut hand = Hand::over(Material { model: Model::Conductor, conductor, ..Material::default() });
+    let conductor = MetalOptics::Index { n: DVec3::new(1.0, 2.0, 3.0), k: DVec3::new(2.0, 2.0, 2.0) };
+    let mut hand = Hand::over(Material::Conductor(Conductor { metal: conductor, ..Conductor::default() }));
     hand.go(hand.place(position(hand.scene(), SPHERE)));
     // ((n − 1)² + k²) / ((n + 1)² + k²)
     let known = "Under the pointer θ = 0.0°: reflects 0.5 of red, 0.3846 of green, 0.4 of blue.";
@@ -72,7 +72,11 @@ fn metals_have_a_share_for_each_color_and_no_inside() {
 
 #[test]
 fn colors_that_are_bent_differently_have_shares_of_their_own() {
-    let mut hand = Hand::over(Material { dispersion: true, abbe: 20.0, ..glass() });
+    let mut hand = Hand::over(Material::Dielectric(Dielectric {
+        index: RefractiveIndex::Own { ior: 1.5, abbe: 20.0 },
+        dispersion: true,
+        ..Dielectric::default()
+    }));
     hand.go(hand.place(position(hand.scene(), SPHERE)));
     let told = hand.told().unwrap();
     let shares: Vec<f64> = told.split(' ').filter_map(|word| word.parse().ok()).collect();

@@ -1,6 +1,6 @@
 //! Directions find their pixels, and edges do not show.
 
-use catoptric_scene::{Body, Color, Material, MaterialChoice, Placement, Scene, Shape};
+use catoptric_scene::{Body, Color, Material, MaterialChoice, Phong, Placement, Scene, Shape};
 
 use super::*;
 
@@ -58,12 +58,12 @@ fn a_rendered_map_is_that_of_its_directions() {
     let color = |wall: DVec3| (wall + DVec3::splat(1.5)) / 4.0;
     let body = |wall: DVec3| {
         let color = color(wall);
-        let material = Material {
-            color: Color::new(color.x, color.y, color.z),
+        let material = Material::Phong(Phong {
+            pattern: Color::new(color.x, color.y, color.z).into(),
             ambient: 1.0,
             diffuse: 0.0,
-            ..Material::default()
-        };
+            ..Phong::default()
+        });
         Body {
             shape: Shape::Cube { size: 2.0 - wall.abs() },
             placement: Placement::at(1.5 * wall),

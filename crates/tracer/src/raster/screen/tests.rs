@@ -1,4 +1,4 @@
-use catoptric_scene::{Body, Camera, Material, MaterialChoice, Placement, Projection, Scene, Shape};
+use catoptric_scene::{Body, Camera, MaterialChoice, Phong, Placement, Projection, Scene, Shape};
 use glam::UVec2;
 use proptest::prelude::*;
 
@@ -38,7 +38,7 @@ fn scene(bodies: Vec<(u8, DVec3, f64)>, height: f64, is_parallel: bool) -> Rende
             _ => Shape::Plane,
         };
         let position = if kind > 1 { DVec3::ZERO } else { position };
-        let material = Material { reflection: Some(0.5), ..Material::default() };
+        let material = Phong { reflection: Some(0.5), ..Phong::default() }.into();
         let material = MaterialChoice::Inline(Box::new(material));
         Body { shape, placement: Placement::at(position), material, ..Body::default() }
     };

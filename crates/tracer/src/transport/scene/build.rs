@@ -120,7 +120,7 @@ impl<'a> ChunkBuild<'a> {
                 let (material, source) = found.ok_or_else(|| undefined_material(index, body))?;
                 prepared.material = material;
                 prepared.transparent = u8::from(chunk.materials.prepared(material).is_transparent());
-                if let Some(checker) = &source.checker {
+                if let Some(checker) = source.pattern().and_then(|pattern| pattern.checker.as_ref()) {
                     prepared.checker = chunk.checkers.len() as u32;
                     chunk.checkers.push(CheckerTexture::new(checker, body, space, prepared.is_double()));
                 }

@@ -203,7 +203,8 @@ impl BodyEdit {
     ) -> Self {
         let material = RenderMaterial::new(of);
         body.transparent = u8::from(material.is_transparent());
-        let checker = of.checker.as_ref().map(|checker| CheckerTexture::new(checker, source, space, false));
+        let checker = of.pattern().and_then(|pattern| pattern.checker.as_ref());
+        let checker = checker.map(|checker| CheckerTexture::new(checker, source, space, false));
         Self { place, body, material, checker, path }
     }
 }

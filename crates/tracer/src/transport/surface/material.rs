@@ -1,9 +1,14 @@
 //! Materials of the scene.
 
+use std::borrow::Cow;
 use std::collections::HashMap;
+use std::hash::{Hash, Hasher};
 
-use catoptric_optics::{CLEAR, Dispersion, METALS, fresnel};
-use catoptric_scene::{Color, Conductor, Material, MaterialChoice, Model, Scene};
+use catoptric_optics::{Dispersion, fresnel};
+use catoptric_scene::{
+    Attenuation, Coated, Conductor, Dielectric, Image, Material, MaterialChoice, Matte, MetalOptics, Mirror,
+    Pattern, Phong, Scene,
+};
 
 use crate::geometry::body::RenderBody;
 use crate::simd::vector::Vector;
@@ -48,10 +53,29 @@ pub(crate) struct RenderMaterial {
 
 impl RenderMaterial {
     pub(crate) fn new(material: &Material) -> Self {
-        let plain = Self {
-            color: linear_rgb(material.color),
-            texture: ImageTexture::new(material),
-            ambient: material.ambient as f32,
+        match material {
+            Material::Phong(phong) => Self::phong(phong),
+            Material::Dielectric(dielectric) => Self::dielectric(dielectric),
+            Material::Conductor(conductor) => Self::conductor(conductor),
+            Material::Mirror(mirror) => Self {
+                reflection: mirror.reflection() as f32,
+                law: MaterialModel::Mirror,
+                alpha: alpha(mirror.roughness),
+                ..Self::black(&mirror.pattern)
+            },
+            Material::Matte(Matte { pattern, ambient }) => {
+                Self { ambient: *ambient as f32, diffuse: 1.0, ..Self::black(pattern) }
+            }
+            Material::Coated(coated) => Self::coated(coated),
+        }
+    }
+
+    /// A smooth surface that neither scatters, reflects nor lets through light.
+    fn black(pattern: &Pattern) -> Self {
+        Self {
+            color: linear_rgb(pattern.color),
+            texture: ImageTexture::new(pattern),
+            ambient: 0.0,
             diffuse: 0.0,
             specular: 0.0,
             shininess: 1.0,
@@ -59,56 +83,60 @@ impl RenderMaterial {
             filter: [0.0; 3],
             ior: 1.0,
             law: MaterialModel::Constant,
-            dispersion: material.dispersion(),
-            alpha: match material.model {
-                Model::Phong | Model::Matte => 0.0,
-                _ => alpha(material.roughness),
-            },
+            dispersion: None,
+            alpha: 0.0,
             absorption: [0.0; 3],
-        };
-        let straight = |ior: f64| fresnel::dielectric(1.0, ior).mean();
-        match material.model {
-            Model::Phong => Self {
-                diffuse: material.diffuse as f32,
-                specular: material.specular as f32,
-                shininess: material.shininess as f32,
-                reflection: material.reflection() as f32,
-                filter: linear_rgb(material.tint).map(|tint| tint * material.transmission as f32),
-                ior: material.ior as f32,
-                ..plain
-            },
-            Model::Matte => Self { diffuse: 1.0, ..plain },
-            Model::Mirror => Self {
-                ambient: 0.0,
-                reflection: material.reflection() as f32,
-                law: MaterialModel::Mirror,
-                ..plain
-            },
-            Model::Dielectric => {
-                let reflection = straight(material.ior());
-                Self {
-                    ambient: 0.0,
-                    reflection: reflection as f32,
-                    filter: [(1.0 - reflection) as f32; 3],
-                    ior: material.ior() as f32,
-                    law: MaterialModel::Dielectric,
-                    absorption: absorption(material),
-                    ..plain
-                }
-            }
-            Model::Conductor => {
-                let curve = ConductorTable::of(&material.conductor);
-                let [red, green, blue] = curve.at(1.0);
-                let reflection = (red + green + blue) / 3.0;
-                Self { ambient: 0.0, reflection, law: MaterialModel::Conductor(curve), ..plain }
-            }
-            Model::Coated => Self {
-                color: linear_rgb(material.color).map(|part| part.min(1.0)),
-                diffuse: 1.0,
-                reflection: straight(material.ior) as f32,
-                law: MaterialModel::Coat(CoatedMaterial::new(material.ior)),
-                ..plain
-            },
+        }
+    }
+
+    fn phong(phong: &Phong) -> Self {
+        Self {
+            ambient: phong.ambient as f32,
+            diffuse: phong.diffuse as f32,
+            specular: phong.specular as f32,
+            shininess: phong.shininess as f32,
+            reflection: phong.reflection() as f32,
+            filter: linear_rgb(phong.tint).map(|tint| tint * phong.transmission as f32),
+            ior: phong.ior as f32,
+            ..Self::black(&phong.pattern)
+        }
+    }
+
+    fn dielectric(dielectric: &Dielectric) -> Self {
+        let ior = dielectric.index.ior();
+        let reflection = reflectance(ior);
+        Self {
+            reflection: reflection as f32,
+            filter: [(1.0 - reflection) as f32; 3],
+            ior: ior as f32,
+            law: MaterialModel::Dielectric,
+            dispersion: dielectric.dispersion(),
+            alpha: alpha(dielectric.roughness),
+            absorption: absorption(&dielectric.attenuation),
+            ..Self::black(&Pattern::default())
+        }
+    }
+
+    fn conductor(conductor: &Conductor) -> Self {
+        let curve = ConductorTable::of(&conductor.metal);
+        let [red, green, blue] = curve.at(1.0);
+        Self {
+            reflection: (red + green + blue) / 3.0,
+            law: MaterialModel::Conductor(curve),
+            alpha: alpha(conductor.roughness),
+            ..Self::black(&Pattern::default())
+        }
+    }
+
+    fn coated(coated: &Coated) -> Self {
+        Self {
+            color: linear_rgb(coated.pattern.color).map(|part| part.min(1.0)),
+            ambient: coated.ambient as f32,
+            diffuse: 1.0,
+            reflection: reflectance(coated.ior) as f32,
+            law: MaterialModel::Coat(CoatedMaterial::new(coated.ior)),
+            alpha: alpha(coated.roughness),
+            ..Self::black(&coated.pattern)
         }
     }
 
@@ -159,12 +187,17 @@ fn alpha(roughness: f64) -> f32 {
     if roughness > 0.0 { (roughness * roughness).max(LEAST) as f32 } else { 0.0 }
 }
 
+/// The reflectance of a clear surface in air for light that falls in straight.
+fn reflectance(ior: f64) -> f64 {
+    fresnel::dielectric(1.0, ior).mean()
+}
+
 /// The law of P. Bouguer (1729), J. H. Lambert (1760) and A. Beer (1852), for each meter.
-fn absorption(material: &Material) -> [f32; 3] {
+fn absorption(attenuation: &Attenuation) -> [f32; 3] {
     /// After a micrometer nothing is left; more would be infinite in products.
     const MOST: f64 = 1e8;
-    let left = material.attenuation_color.to_array();
-    left.map(|left| (-left.min(1.0).ln() / material.attenuation_distance).clamp(0.0, MOST) as f32)
+    let left = attenuation.color.to_array();
+    left.map(|left| (-left.min(1.0).ln() / attenuation.distance).clamp(0.0, MOST) as f32)
 }
 
 /// The named materials of a scene.
@@ -173,10 +206,10 @@ pub(crate) type NamedMaterials<'a> = HashMap<&'a str, &'a Material>;
 /// The materials that some bodies use, each distinct one once, in the order of their first use.
 #[derive(Default)]
 pub(crate) struct MaterialTable<'a> {
-    indices: HashMap<MaterialKey, u32>,
+    indices: HashMap<MaterialKey<'a>, u32>,
     of_names: HashMap<&'a str, (u32, &'a Material)>,
     prepared: Vec<RenderMaterial>,
-    keys: Vec<MaterialKey>,
+    keys: Vec<MaterialKey<'a>>,
 }
 
 impl<'a> MaterialTable<'a> {
@@ -193,24 +226,24 @@ impl<'a> MaterialTable<'a> {
     ) -> Option<(u32, &'a Material)> {
         match choice {
             MaterialChoice::Inline(material) => {
-                Some((self.index(key(material), || RenderMaterial::new(material)), material))
+                Some((self.index(MaterialKey::new(material), || RenderMaterial::new(material)), material))
             }
             MaterialChoice::Named(name) => {
                 if let Some(found) = self.of_names.get(name.as_str()) {
                     return Some(*found);
                 }
                 let material = *named.get(name.as_str())?;
-                let index = self.index(key(material), || RenderMaterial::new(material));
+                let index = self.index(MaterialKey::new(material), || RenderMaterial::new(material));
                 self.of_names.insert(name, (index, material));
                 Some((index, material))
             }
         }
     }
 
-    fn index(&mut self, key: MaterialKey, prepare: impl FnOnce() -> RenderMaterial) -> u32 {
-        *self.indices.entry(key).or_insert_with(|| {
+    fn index(&mut self, key: MaterialKey<'a>, prepare: impl FnOnce() -> RenderMaterial) -> u32 {
+        *self.indices.entry(key).or_insert_with_key(|key| {
             self.prepared.push(prepare());
-            self.keys.push(key);
+            self.keys.push(key.clone());
             self.prepared.len() as u32 - 1
         })
     }
@@ -218,7 +251,7 @@ impl<'a> MaterialTable<'a> {
     /// Takes over the materials of another table and returns their indices in this one.
     pub(crate) fn append(&mut self, other: &Self) -> Vec<u32> {
         let materials = other.keys.iter().zip(&other.prepared);
-        materials.map(|(key, material)| self.index(*key, || material.clone())).collect()
+        materials.map(|(key, material)| self.index(key.clone(), || material.clone())).collect()
     }
 
     /// The prepared material of an index that [`Self::find`] gave.
@@ -231,63 +264,85 @@ impl<'a> MaterialTable<'a> {
     }
 }
 
-/// The model, the picture, and all numbers that reach a [`RenderMaterial`], for comparing exactly.
-type MaterialKey = (Model, Option<u64>, [u64; 13]);
+/// What a [`RenderMaterial`] is prepared from, as the key of a table: a material without its checker.
+#[derive(Clone, PartialEq)]
+struct MaterialKey<'a>(Cow<'a, Material>);
 
-fn key(material: &Material) -> MaterialKey {
-    let m = material;
-    let Color { r, g, b } = m.color;
-    let mut numbers = [0.0; 13];
-    let mut put = |values: &[f64]| {
-        for (number, value) in numbers.iter_mut().zip(values) {
-            *number = *value;
+/// A material with a number that is NaN equals nothing, itself included: it is prepared for each body anew.
+impl Eq for MaterialKey<'_> {}
+
+impl<'a> MaterialKey<'a> {
+    fn new(material: &'a Material) -> Self {
+        let mut key = Cow::Borrowed(material);
+        if material.pattern().is_some_and(|pattern| pattern.checker.is_some())
+            && let Some(pattern) = key.to_mut().pattern_mut()
+        {
+            pattern.checker = None;
         }
-    };
-    match m.model {
-        Model::Phong => put(&[
-            r,
-            g,
-            b,
-            m.tint.r,
-            m.tint.g,
-            m.tint.b,
-            m.ambient,
-            m.diffuse,
-            m.specular,
-            m.shininess,
-            m.reflection(),
-            m.transmission,
-            m.ior,
-        ]),
-        Model::Dielectric => {
-            let left = m.attenuation_color;
-            put(&[
-                m.ior(),
-                left.r,
-                left.g,
-                left.b,
-                m.attenuation_distance,
-                m.roughness,
-                f64::from(u8::from(m.dispersion)),
-                m.abbe,
-                m.substance.map_or(-1.0, |clear| place_of(CLEAR.iter().map(|other| other.name), clear.name)),
-            ]);
-        }
-        Model::Conductor => match m.conductor {
-            Conductor::Metal(metal) => {
-                let place = place_of(METALS.iter().map(|other| other.name), metal.name);
-                put(&[1.0, place, m.roughness]);
-            }
-            Conductor::Index { n, k } => put(&[2.0, n.x, n.y, n.z, k.x, k.y, k.z, m.roughness]),
-        },
-        Model::Mirror => put(&[r, g, b, m.reflection(), m.roughness]),
-        Model::Matte => put(&[r, g, b, m.ambient]),
-        Model::Coated => put(&[r, g, b, m.ambient, m.ior, m.roughness]),
+        Self(key)
     }
-    (m.model, ImageTexture::new(m).map(|texture| texture.number()), numbers.map(f64::to_bits))
 }
 
-/// The place of a name among others, to be told from them.
-fn place_of<'t>(mut names: impl Iterator<Item = &'t str>, name: &str) -> f64 {
-    names.position(|other| other == name).map_or(-1.0, |place| place as f64)
+impl Hash for MaterialKey<'_> {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.0.model().hash(state);
+        match &*self.0 {
+            Material::Phong(Phong {
+                pattern,
+                ambient,
+                diffuse,
+                specular,
+                shininess,
+                reflection,
+                transmission,
+                ior,
+                tint,
+            }) => {
+                hash_pattern(pattern, state);
+                hash_numbers(&[*ambient, *diffuse, *specular, *shininess, *transmission, *ior], state);
+                hash_numbers(reflection.as_slice(), state);
+                hash_numbers(&tint.to_array(), state);
+            }
+            Material::Dielectric(Dielectric { index, dispersion, attenuation, roughness }) => {
+                hash_numbers(&[index.ior(), attenuation.distance, *roughness], state);
+                hash_numbers(&attenuation.color.to_array(), state);
+                dispersion.hash(state);
+            }
+            Material::Conductor(Conductor { metal, roughness }) => {
+                match metal {
+                    MetalOptics::Metal(metal) => metal.name.hash(state),
+                    MetalOptics::Index { n, k } => {
+                        hash_numbers(&n.to_array(), state);
+                        hash_numbers(&k.to_array(), state);
+                    }
+                }
+                hash_numbers(&[*roughness], state);
+            }
+            Material::Mirror(Mirror { pattern, reflection, roughness }) => {
+                hash_pattern(pattern, state);
+                hash_numbers(reflection.as_slice(), state);
+                hash_numbers(&[*roughness], state);
+            }
+            Material::Matte(Matte { pattern, ambient }) => {
+                hash_pattern(pattern, state);
+                hash_numbers(&[*ambient], state);
+            }
+            Material::Coated(Coated { pattern, ambient, ior, roughness }) => {
+                hash_pattern(pattern, state);
+                hash_numbers(&[*ambient, *ior, *roughness], state);
+            }
+        }
+    }
+}
+
+fn hash_pattern(pattern: &Pattern, state: &mut impl Hasher) {
+    hash_numbers(&pattern.color.to_array(), state);
+    pattern.texture.as_ref().map(Image::source).hash(state);
+}
+
+fn hash_numbers(numbers: &[f64], state: &mut impl Hasher) {
+    for number in numbers {
+        // Adding zero gives both zeros, which are equal, the same bits.
+        (number + 0.0).to_bits().hash(state);
+    }
 }

@@ -80,10 +80,10 @@ fn the_hierarchy_leaves_out_nothing_that_is_met() {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/reference/cloud.toml");
     let mut scene = catoptric_scene::load(file).unwrap().scene;
     // Some of them glass, so that shadow rays go on behind what they meet.
-    let glass = catoptric_scene::Material { transmission: 0.7, ior: 1.3, ..Default::default() };
+    let glass = catoptric_scene::Phong { transmission: 0.7, ior: 1.3, ..Default::default() };
     for at in (0..scene.bodies.len()).step_by(3) {
         let body = scene.bodies.get_mut(at).unwrap();
-        body.material = catoptric_scene::MaterialChoice::Inline(Box::new(glass.clone()));
+        body.material = catoptric_scene::MaterialChoice::own(glass.clone());
     }
     let taken = |search, lanes: SimdLevel| {
         let render_scene = RenderScene::build_with(&scene, search).unwrap();

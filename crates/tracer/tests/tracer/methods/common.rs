@@ -2,8 +2,8 @@
 
 use catoptric_picture::{Comparison, Picture};
 use catoptric_scene::{
-    Anchor, Body, Camera, Color, Environment, Light, Material, MaterialChoice, Placement, Projection, Scene,
-    Shape, Tracing,
+    Anchor, Body, Camera, Checker, Color, Environment, Light, Material, MaterialChoice, Phong, Placement,
+    Projection, Scene, Shape, Tracing,
 };
 use catoptric_tracer::raster::{Method, MethodOutput, draw};
 use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, render};
@@ -13,48 +13,59 @@ pub(crate) fn v(x: f64, y: f64, z: f64) -> DVec3 {
     DVec3::new(x, y, z)
 }
 
-pub(crate) fn body(shape: Shape, position: DVec3, material: Material) -> Body {
+pub(crate) fn body(shape: Shape, position: DVec3, material: impl Into<Material>) -> Body {
     turned(shape, position, DVec3::ZERO, material)
 }
 
-pub(crate) fn turned(shape: Shape, position: DVec3, rotation_degrees: DVec3, material: Material) -> Body {
+pub(crate) fn turned(
+    shape: Shape,
+    position: DVec3,
+    rotation_degrees: DVec3,
+    material: impl Into<Material>,
+) -> Body {
     Body {
         shape,
         placement: Placement { anchor: Anchor::Frame { position, rotation_degrees }, scale: DVec3::ONE },
-        material: MaterialChoice::Inline(Box::new(material)),
+        material: MaterialChoice::own(material),
         ..Body::default()
     }
 }
 
-pub(crate) fn ball(radius: f64, position: DVec3, material: Material) -> Body {
+pub(crate) fn ball(radius: f64, position: DVec3, material: impl Into<Material>) -> Body {
     body(Shape::Sphere { radius }, position, material)
 }
 
-pub(crate) fn block(size: DVec3, position: DVec3, material: Material) -> Body {
+pub(crate) fn block(size: DVec3, position: DVec3, material: impl Into<Material>) -> Body {
     body(Shape::Cube { size }, position, material)
 }
 
-pub(crate) fn mirror() -> Material {
-    Material { ambient: 0.0, diffuse: 0.0, reflection: Some(1.0), ..Material::default() }
+pub(crate) fn mirror() -> Phong {
+    Phong { ambient: 0.0, diffuse: 0.0, reflection: Some(1.0), ..Phong::default() }
 }
 
-pub(crate) fn glow(r: f64, g: f64, b: f64) -> Material {
-    Material { color: Color::new(r, g, b), ambient: 1.0, diffuse: 0.0, ..Material::default() }
+pub(crate) fn glow(r: f64, g: f64, b: f64) -> Phong {
+    Phong { pattern: Color::new(r, g, b).into(), ambient: 1.0, diffuse: 0.0, ..Phong::default() }
 }
 
-pub(crate) fn chalk(r: f64, g: f64, b: f64) -> Material {
-    Material { color: Color::new(r, g, b), ambient: 0.1, diffuse: 0.8, ..Material::default() }
+pub(crate) fn chalk(r: f64, g: f64, b: f64) -> Phong {
+    Phong { pattern: Color::new(r, g, b).into(), ambient: 0.1, diffuse: 0.8, ..Phong::default() }
 }
 
-pub(crate) fn glossy() -> Material {
-    Material {
-        color: Color::new(0.8, 0.3, 0.2),
+/// A material with a second color.
+pub(crate) fn checkered(mut phong: Phong, checker: Checker) -> Phong {
+    phong.pattern.checker = Some(checker);
+    phong
+}
+
+pub(crate) fn glossy() -> Phong {
+    Phong {
+        pattern: Color::new(0.8, 0.3, 0.2).into(),
         ambient: 0.1,
         diffuse: 0.7,
         specular: 0.6,
         shininess: 40.0,
         reflection: Some(0.0),
-        ..Material::default()
+        ..Phong::default()
     }
 }
 

@@ -1,7 +1,7 @@
 //! `ssr` and `cube-map` against the traced picture.
 
 use catoptric_picture::Picture;
-use catoptric_scene::{Checker, Color, Example, Material, Projection, Scene, Shape};
+use catoptric_scene::{Checker, Color, Example, Phong, Projection, Scene, Shape};
 use catoptric_tracer::raster::{
     CubeMap, CubeMapSettings, CubeMaps, GBufferLayer, Method, PassName, SsrFallback, SsrSettings,
     draw_through,
@@ -132,10 +132,10 @@ fn room_of_planes() -> Scene {
 
 /// The same room as one cube with a pattern on its walls.
 fn room_of_one_cube() -> Scene {
-    let pattern = Material {
-        checker: Some(Checker { color: Color::new(0.9, 0.3, 0.1), size: 2.5, ..Checker::default() }),
-        ..glow(0.1, 0.4, 0.8)
-    };
+    let pattern = checkered(
+        glow(0.1, 0.4, 0.8),
+        Checker { color: Color::new(0.9, 0.3, 0.1), size: 2.5, ..Checker::default() },
+    );
     let bodies =
         vec![ball(1.0, v(0.6, -0.4, -0.5), mirror()), block(v(8.0, 5.0, 10.0), v(0.5, 0.5, 1.0), pattern)];
     scene(bodies, camera(v(0.2, 0.5, 5.5), v(0.4, -0.2, 0.0), 35.0), vec![])
@@ -199,7 +199,7 @@ fn cube_maps_are_kept_while_nothing_they_show_changes() {
     scene.camera.position.x += 0.3;
     assert_eq!(draw(&scene), (0, 1), "the eye moved");
     scene.bodies[0].material =
-        catoptric_scene::MaterialChoice::Inline(Box::new(Material { reflection: Some(0.5), ..mirror() }));
+        catoptric_scene::MaterialChoice::own(Phong { reflection: Some(0.5), ..mirror() });
     assert_eq!(draw(&scene), (0, 1), "the body itself changed");
     scene.bodies[0].placement = scene.bodies[0].placement.moved_by(v(0.1, 0.0, 0.0));
     assert_eq!(draw(&scene), (1, 0), "the body moved");

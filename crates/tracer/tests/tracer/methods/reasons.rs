@@ -1,7 +1,7 @@
 //! The reasons of errors, in scenes made for one of them each.
 
 use catoptric_picture::Picture;
-use catoptric_scene::{Material, Scene, Shape};
+use catoptric_scene::{Material, Phong, Scene, Shape};
 use catoptric_tracer::raster::{
     CubeMapSettings, LightModel, Method, MethodError, Reason, ReasonMap, ShadingSettings, SsrSettings,
     reasons,
@@ -119,7 +119,7 @@ fn long_steps_step_over_thin_bodies() {
 #[test]
 fn mirrors_in_mirrors_lack_the_second_reflection() {
     let bodies = vec![
-        body(Shape::Plane, DVec3::ZERO, Material { reflection: Some(0.9), ..mirror() }),
+        body(Shape::Plane, DVec3::ZERO, Phong { reflection: Some(0.9), ..mirror() }),
         block(v(40.0, 20.0, 0.2), v(0.0, 10.0, -6.0), mirror()),
     ];
     let scene = scene(bodies, camera(v(0.0, 1.5, 6.0), v(0.0, 1.5, -6.0), 30.0), vec![]);
@@ -134,14 +134,14 @@ fn mirrors_in_mirrors_lack_the_second_reflection() {
 
 #[test]
 fn glass_lacks_what_is_behind_it() {
-    let glass = Material {
+    let glass = Material::Phong(Phong {
         transmission: 1.0,
         ior: 1.1,
         reflection: Some(0.0),
         ambient: 0.0,
         diffuse: 0.0,
-        ..Material::default()
-    };
+        ..Phong::default()
+    });
     let bodies =
         vec![ball(1.0, DVec3::ZERO, glass), block(v(9.0, 9.0, 0.1), v(0.0, 0.0, -3.0), glow(1.0, 0.0, 0.0))];
     let scene = scene(bodies, camera(v(0.0, 0.0, 6.0), DVec3::ZERO, 30.0), vec![]);

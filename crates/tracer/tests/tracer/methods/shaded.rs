@@ -2,7 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use catoptric_scene::{Checker, Color, Conductor, Example, Light, Material, Model, Projection, Scene, Shape};
+use catoptric_scene::{
+    Checker, Coated, Color, Conductor, Example, Light, Material, MetalOptics, Pattern, Phong, Projection,
+    Scene, Shape,
+};
 use catoptric_tracer::RenderScene;
 use catoptric_tracer::raster::{LightModel, Method, ShadingSettings};
 use glam::DVec3;
@@ -98,10 +101,10 @@ fn where_faces_are_the_bodies_phong_is_the_traced_picture_however_coarse() {
         body(
             Shape::Plane,
             DVec3::ZERO,
-            Material {
-                checker: Some(Checker { color: Color::gray(0.1), size: 0.7, ..Checker::default() }),
-                ..chalk(0.7, 0.7, 0.6)
-            },
+            checkered(
+                chalk(0.7, 0.7, 0.6),
+                Checker { color: Color::gray(0.1), size: 0.7, ..Checker::default() },
+            ),
         ),
     ];
     // The floor reaches the horizon and goes under the eye.
@@ -136,13 +139,16 @@ fn flat_faces_have_one_value_each() {
 
 #[test]
 fn a_checkered_flat_face_has_one_intensity_on_two_colors() {
-    let checkered = Material {
-        checker: Some(Checker { color: Color::gray(0.25), size: 0.25, ..Checker::default() }),
+    let checkered = Material::Phong(Phong {
+        pattern: Pattern {
+            color: Color::gray(0.75),
+            checker: Some(Checker { color: Color::gray(0.25), size: 0.25, ..Checker::default() }),
+            ..Pattern::default()
+        },
         ambient: 0.0,
         diffuse: 1.0,
-        color: Color::gray(0.75),
-        ..Material::default()
-    };
+        ..Phong::default()
+    });
     let cube = block(v(2.0, 2.0, 2.0), DVec3::ZERO, checkered);
     let scene =
         scene(vec![cube], camera(v(0.0, 0.0, 6.0), DVec3::ZERO, 10.0), vec![light(v(1.0, 2.0, 9.0), 1.0)]);
@@ -156,7 +162,7 @@ fn a_checkered_flat_face_has_one_intensity_on_two_colors() {
 #[test]
 fn gouraud_loses_a_highlight_between_vertices() {
     // The highlight lies in the middle of a cube's face, which one part has no vertex near.
-    let shiny = Material { shininess: 200.0, ..glossy() };
+    let shiny = Phong { shininess: 200.0, ..glossy() };
     let cube = block(v(2.0, 2.0, 2.0), DVec3::ZERO, shiny);
     let scene =
         scene(vec![cube], camera(v(0.0, 0.0, 6.0), DVec3::ZERO, 10.0), vec![light(v(0.0, 0.0, 9.0), 1.0)]);
@@ -228,9 +234,13 @@ fn the_bytes_do_not_depend_on_the_threads() {
 /// interpolation, and each pixel has the sample of the light that the traced one has.
 #[test]
 fn physical_materials_are_lit_as_traced_ones() {
-    let gold = Conductor::Metal(catoptric_optics::Metal::named("gold").unwrap());
-    let rough = Material { model: Model::Conductor, conductor: gold, roughness: 0.5, ..Material::default() };
-    let coated = Material { model: Model::Coated, roughness: 0.3, ..chalk(0.3, 0.6, 0.8) };
+    let gold = MetalOptics::Metal(catoptric_optics::Metal::named("gold").unwrap());
+    let rough = Material::Conductor(Conductor { metal: gold, roughness: 0.5 });
+    let coated = Material::Coated(Coated {
+        pattern: Color::new(0.3, 0.6, 0.8).into(),
+        roughness: 0.3,
+        ..Coated::default()
+    });
     for material in [rough, coated] {
         let lamp = Light { radius: 0.4, ..light(v(2.0, 3.0, 4.0), 1.5) };
         let cube = turned(Shape::CUBE, DVec3::ZERO, v(25.0, 35.0, 0.0), material);

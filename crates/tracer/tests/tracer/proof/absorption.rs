@@ -2,7 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use catoptric_scene::{Body, Color, Falloff, Light, Material, Model, Scene, Shape};
+use catoptric_scene::{Attenuation, Body, Color, Dielectric, Falloff, Light, Phong, Scene, Shape};
 use catoptric_tracer::{RayRecord, RenderControl, RenderScene, RenderSettings, WhittedIntegrator, render};
 use glam::{DVec3, UVec2, Vec3};
 use proptest::prelude::*;
@@ -12,19 +12,17 @@ use crate::proof::common::{
 };
 
 /// A clear body that is seen by what it absorbs alone.
-fn stained(color: [f64; 3], distance: f64, ior: f64) -> Material {
-    Material {
-        model: Model::Dielectric,
-        ior,
-        attenuation_color: Color::from(color),
-        attenuation_distance: distance,
-        ..Material::default()
+fn stained(color: [f64; 3], distance: f64, ior: f64) -> Dielectric {
+    Dielectric {
+        index: ior.into(),
+        attenuation: Attenuation { color: Color::from(color), distance },
+        ..Dielectric::default()
     }
 }
 
 /// White and a mirror: its light says what shadow rays lose, its reflection what the tree's rays lose on the same way.
-fn shining_floor() -> Material {
-    Material { reflection: Some(1.0), ..chalk() }
+fn shining_floor() -> Phong {
+    Phong { reflection: Some(1.0), ..chalk() }
 }
 
 /// The share of light that the rays of a chain leave between the point `from` and one `distance` further on.

@@ -1,6 +1,6 @@
 //! Bodies that touch, nearly touch, or are thinner than rounding; and numbers at the limits of the format.
 
-use catoptric_scene::{Color, Falloff, Material, Shape};
+use catoptric_scene::{Color, Falloff, Phong, Shape};
 use catoptric_tracer::{RenderControl, RenderSettings, render};
 use glam::DVec3;
 
@@ -89,14 +89,14 @@ fn a_frustum_that_widens_enormously_is_a_cone_upside_down() {
 
 #[test]
 fn light_at_the_limits_is_a_number_and_highlights_stay_within_their_coefficient() {
-    let red = Material { color: Color::new(1.0, 0.0, 0.0), ambient: 0.0, ..chalk() };
+    let red = Phong { pattern: Color::new(1.0, 0.0, 0.0).into(), ..chalk() };
     let mut scene = scene(vec![plane(DVec3::ZERO, 0.0, red.clone())]);
     scene.camera = camera(v(0.0, 5.0, 0.001), DVec3::ZERO, 10.0);
     scene.lights = vec![light(v(0.0, 1e-17, 0.0), 1e6, Falloff::InverseSquare)];
     assert!(picture(&scene, 9, 9).pixels().as_flattened().iter().all(|value| !value.is_nan()));
 
-    let shiny = Material { diffuse: 0.0, ambient: 0.0, specular: 1.0, shininess: 1e6, ..red };
-    scene.bodies = [ball(1.0, DVec3::ZERO, Material { reflection: Some(0.0), ..shiny })].into();
+    let shiny = Phong { diffuse: 0.0, specular: 1.0, shininess: 1e6, ..red };
+    scene.bodies = [ball(1.0, DVec3::ZERO, Phong { reflection: Some(0.0), ..shiny })].into();
     scene.environment.background = Color::BLACK;
     scene.camera = camera(v(0.0, 0.0, 5.0), DVec3::ZERO, 0.05);
     scene.lights = vec![light(v(0.01, 0.0, 5.0), 1.0, Falloff::None)];

@@ -1,6 +1,6 @@
 //! The driver: threads, progress, cancellation, counts, samples.
 
-use catoptric_scene::{Color, Material, Model, Shape};
+use catoptric_scene::{Color, Dielectric, Material, Phong, Shape};
 use catoptric_tracer::{
     RenderControl, RenderError, RenderOutput, RenderScene, RenderSettings, SceneBuildError, render,
     render_pixel, sample_offset,
@@ -94,8 +94,12 @@ fn progress_counts_every_ray_once() {
 /// Two balls in one another, each of which splits every ray in two: pixels of billions of rays.
 fn nested() -> RenderScene {
     let mut nested = scene(vec![
-        ball(1.0, v(0.0, 1.0, 0.0), Material { model: Model::Dielectric, ..Material::default() }),
-        ball(0.9, v(0.0, 1.0, 0.0), Material { model: Model::Dielectric, ior: 1.0, ..Material::default() }),
+        ball(1.0, v(0.0, 1.0, 0.0), Material::Dielectric(Dielectric::default())),
+        ball(
+            0.9,
+            v(0.0, 1.0, 0.0),
+            Material::Dielectric(Dielectric { index: 1.0.into(), ..Dielectric::default() }),
+        ),
     ]);
     nested.lights = gallery().lights;
     nested.camera.position = DVec3::new(0.0, 1.0, 6.0);
@@ -200,7 +204,7 @@ fn undefined_materials_are_errors_that_say_where() {
     assert!(error.to_string().contains("gold"));
     scene.bodies[1].name = "crown".into();
     assert!(RenderScene::build(&scene).unwrap_err().to_string().contains("\"crown\""));
-    let material = Material { color: Color::WHITE, ..Material::default() };
+    let material = Material::Phong(Phong { pattern: Color::WHITE.into(), ..Phong::default() });
     scene.materials = vec![catoptric_scene::NamedMaterial { name: "gold".into(), material }];
     assert_eq!(RenderScene::build(&scene).unwrap().body_count(), 2);
 }

@@ -2,7 +2,8 @@
 
 use catoptric_picture::Picture;
 use catoptric_scene::{
-    Anchor, Body, Checker, CheckerSpace, Color, Falloff, Material, Placement, Projection, Scene, Shape,
+    Anchor, Body, Checker, CheckerSpace, Color, Falloff, Material, Pattern, Phong, Placement, Projection,
+    Scene, Shape,
 };
 use glam::DVec3;
 
@@ -12,21 +13,24 @@ use crate::proof::common::*;
 const SIZE: (u32, u32) = (240, 160);
 
 /// A surface that shades, mirrors a little and has a pattern of meters.
-fn ground() -> Material {
+fn ground() -> Phong {
     let checker = Checker { color: Color::new(0.2, 0.3, 0.5), size: 1.0, space: CheckerSpace::World };
-    Material {
-        color: Color::new(0.8, 0.8, 0.1),
+    Phong {
+        pattern: Pattern { color: Color::new(0.8, 0.8, 0.1), checker: Some(checker), ..Pattern::default() },
         diffuse: 0.7,
         reflection: Some(0.3),
-        checker: Some(checker),
-        ..Material::default()
+        ..Phong::default()
     }
 }
 
 /// What stands on the ground y = -0.5, seen from near by.
 fn on_ground(ground: Body) -> Scene {
-    let red = Material { color: Color::new(0.7, 0.3, 0.3), specular: 0.4, ..Material::default() };
-    let mirror = Material { reflection: Some(0.8), diffuse: 0.1, ..Material::default() };
+    let red = Material::Phong(Phong {
+        pattern: Color::new(0.7, 0.3, 0.3).into(),
+        specular: 0.4,
+        ..Phong::default()
+    });
+    let mirror = Material::Phong(Phong { reflection: Some(0.8), diffuse: 0.1, ..Phong::default() });
     let bodies = vec![
         ground,
         ball(0.5, v(0.0, 0.0, -1.0), red.clone()),
@@ -116,7 +120,7 @@ fn details_are_exact_beside_huge_bodies() {
     };
     // The same picture, a thousand times smaller: the largest bodies are 10⁹ times as large as the smallest.
     let mut plain = ground();
-    plain.checker = None;
+    plain.pattern.checker = None;
     let scene = on_ground(ball(1e8, v(0.0, -0.5 - 1e8, 0.0), plain));
     let (large, small) = (drawn(&scene), drawn(&small(scene.clone(), 1e-3)));
     assert_same_picture(&large, &small, 0.001);
@@ -125,7 +129,7 @@ fn details_are_exact_beside_huge_bodies() {
 #[test]
 fn a_plane_is_the_same_wherever_its_anchor_lies_and_however_it_turns() {
     for tilt in [DVec3::ZERO, v(0.0, 0.0, 7.0), v(-4.0, 0.0, 3.0)] {
-        let plane = |position: DVec3, about: f64, material: Material| {
+        let plane = |position: DVec3, about: f64, material: Phong| {
             // Turned about its own normal first.
             let own = glam::DQuat::from_rotation_y(about.to_radians());
             let turn = glam::DMat3::from_rotation_z(tilt.z.to_radians())
@@ -152,7 +156,7 @@ fn a_plane_is_the_same_wherever_its_anchor_lies_and_however_it_turns() {
 #[test]
 fn patterns_of_a_plane_stay_where_they_were() {
     let checker = Checker { color: Color::BLACK, size: 0.5, space: CheckerSpace::Body };
-    let material = Material { checker: Some(checker), ..ground() };
+    let material = Phong { pattern: Pattern { checker: Some(checker), ..ground().pattern }, ..ground() };
     let plane = |x: f64| turned(Shape::Plane, v(x, -0.5, -x), v(0.0, 90.0, 0.0), material.clone());
     let reference = drawn(&on_ground(plane(0.0)));
     for x in [2.0, 65_536.0, 1e7] {
@@ -196,7 +200,7 @@ fn flat_bodies_are_whole() {
             anchor: Anchor::Frame { position: v(0.3, 0.0, 0.1), rotation_degrees: v(10.0, 20.0, -5.0) },
             scale,
         };
-        let coin = placed(shape, placement, Material { reflection: Some(0.5), ..chalk() });
+        let coin = placed(shape, placement, Phong { reflection: Some(0.5), ..chalk() });
         Scene {
             camera: camera(v(0.0, 1.0, 5.0), DVec3::ZERO, 27.0),
             lights: vec![light(v(2.0, 6.0, 5.0), 1.0, Falloff::None)],

@@ -22,7 +22,8 @@ fn taken(scene: &Scene) -> Picture {
 fn checkered() -> Scene {
     let mut scene = gallery();
     let MaterialChoice::Inline(floor) = &mut scene.bodies[0].material else { unreachable!() };
-    floor.checker = Some(Checker { color: Color::gray(0.2), size: 0.7, ..Checker::default() });
+    floor.pattern_mut().unwrap().checker =
+        Some(Checker { color: Color::gray(0.2), size: 0.7, ..Checker::default() });
     scene
 }
 
@@ -60,7 +61,7 @@ fn scaled(scene: &Scene, factor: f64) -> Scene {
             Shape::Plane => Shape::Plane,
         };
         if let MaterialChoice::Inline(material) = &mut body.material
-            && let Some(checker) = &mut material.checker
+            && let Some(checker) = material.pattern_mut().and_then(|pattern| pattern.checker.as_mut())
         {
             checker.size *= factor;
         }

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use catoptric_scene::{Body, Color, Material, Model, Scene, Tracing};
+use catoptric_scene::{Body, Color, Dielectric, Phong, Scene, Tracing};
 use catoptric_tracer::{BranchOutcome, RenderControl, RenderSettings, WhittedIntegrator, render};
 use glam::{DVec3, UVec2, Vec3};
 
@@ -12,8 +12,8 @@ use crate::proof::common::{
 };
 use catoptric_scene::Shape;
 
-fn clear(ior: f64) -> Material {
-    Material { model: Model::Dielectric, ior, ..Material::default() }
+fn clear(ior: f64) -> Dielectric {
+    Dielectric { index: ior.into(), ..Dielectric::default() }
 }
 
 /// Things to be seen, and of them in mirrors.
@@ -21,7 +21,7 @@ fn things() -> Vec<Body> {
     vec![
         ball(0.6, v(0.3, 0.1, -3.0), glow(Color::new(0.2, 0.7, 0.4))),
         block(v(0.8, 0.8, 0.8), v(-1.6, 0.2, -3.5), mirror()),
-        plane(v(0.0, -1.2, 0.0), 0.0, Material { reflection: Some(0.5), ..glow(Color::new(0.3, 0.2, 0.1)) }),
+        plane(v(0.0, -1.2, 0.0), 0.0, Phong { reflection: Some(0.5), ..glow(Color::new(0.3, 0.2, 0.1)) }),
     ]
 }
 
@@ -45,8 +45,8 @@ fn invisible() -> Vec<Body> {
         turned(Shape::CUBE, v(1.5, 0.0, 0.0), tilt, clear(1.0)),
         turned(Shape::CONE, v(-1.5, 0.0, 0.0), tilt, phong.clone()),
         turned(Shape::CYLINDER, v(-0.8, 0.4, 0.6), tilt, phong),
-        ball(0.4, v(0.0, 0.8, 0.0), Material { roughness: 0.8, ..clear(1.0) }),
-        turned(Shape::CUBE, v(0.4, -0.4, 0.9), tilt, Material { dispersion: true, ..clear(1.0) }),
+        ball(0.4, v(0.0, 0.8, 0.0), Dielectric { roughness: 0.8, ..clear(1.0) }),
+        turned(Shape::CUBE, v(0.4, -0.4, 0.9), tilt, Dielectric { dispersion: true, ..clear(1.0) }),
     ]
 }
 

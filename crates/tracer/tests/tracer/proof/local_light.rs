@@ -1,6 +1,6 @@
 //! The local terms: ambient, Lambert, Phong, falloff, shadows, the checkerboard.
 
-use catoptric_scene::{Body, Checker, Color, Falloff, Material, Scene};
+use catoptric_scene::{Body, Checker, Color, Falloff, Material, Pattern, Phong, Scene};
 use catoptric_tracer::surface::phong_highlight;
 use glam::{DVec3, Vec3, Vec3A};
 
@@ -9,7 +9,7 @@ use crate::proof::common::{
 };
 
 /// A floor of `material` seen at (x, 0, 0) from straight above, with other bodies and lights to be added.
-fn floor_seen_at(x: f64, material: Material) -> Scene {
+fn floor_seen_at(x: f64, material: impl Into<Material>) -> Scene {
     let mut scene = scene(vec![plane(DVec3::ZERO, 0.0, material)]);
     scene.camera = camera(v(x, 50.0, 0.0), v(x, 0.0, 0.0), 1.0);
     scene.camera.up = DVec3::NEG_Z;
@@ -18,7 +18,7 @@ fn floor_seen_at(x: f64, material: Material) -> Scene {
 
 #[test]
 fn lambert_and_the_three_laws_of_falloff() {
-    let material = Material { color: Color::new(0.9, 0.5, 0.1), ambient: 0.0, diffuse: 0.7, ..chalk() };
+    let material = Phong { pattern: Color::new(0.9, 0.5, 0.1).into(), ambient: 0.0, diffuse: 0.7, ..chalk() };
     let height = 3.0;
     for x in [0.0, 1.0, 4.0, 20.0] {
         let d = f64::hypot(x, height);
@@ -41,7 +41,7 @@ fn lambert_and_the_three_laws_of_falloff() {
 
 #[test]
 fn lights_add_and_ambient_light_needs_none() {
-    let material = Material { color: Color::new(0.2, 0.4, 0.8), ambient: 0.3, diffuse: 0.5, ..chalk() };
+    let material = Phong { pattern: Color::new(0.2, 0.4, 0.8).into(), ambient: 0.3, diffuse: 0.5, ..chalk() };
     let mut scene = floor_seen_at(0.0, material);
     scene.environment.ambient = Color::new(1.0, 0.5, 0.25);
     assert_light(center(&scene), [0.06, 0.06, 0.06]);
@@ -53,7 +53,7 @@ fn lights_add_and_ambient_light_needs_none() {
 
 #[test]
 fn a_light_at_the_horizon_or_below_adds_nothing() {
-    let shiny = Material { specular: 1.0, reflection: Some(0.0), ..chalk() };
+    let shiny = Phong { specular: 1.0, reflection: Some(0.0), ..chalk() };
     for y in [0.0, -1.0] {
         let mut scene = floor_seen_at(0.0, shiny.clone());
         scene.lights = vec![light(v(4.0, y, 0.0), 1.0, Falloff::None)];
@@ -70,15 +70,15 @@ fn highlights_are_powers_of_the_cosine_and_not_colored_by_the_body() {
     // Seen from above, light at this angle from the vertical: the mirrored direction is as far off on the other side.
     for shininess in [1.0, 8.0, 32.0, 200.0] {
         for degrees in [0.0_f64, 5.0, 20.0, 60.0, 89.0] {
-            let material = Material {
-                color: Color::new(1.0, 0.0, 0.0),
+            let material = Material::Phong(Phong {
+                pattern: Color::new(1.0, 0.0, 0.0).into(),
                 ambient: 0.0,
                 diffuse: 0.0,
                 specular: 0.5,
                 reflection: Some(0.0),
                 shininess,
-                ..Material::default()
-            };
+                ..Phong::default()
+            });
             let mut scene = floor_seen_at(0.0, material);
             let (sin, cos) = degrees.to_radians().sin_cos();
             scene.lights = vec![light(6.0 * v(sin, cos, 0.0), 1.0, Falloff::None)];
@@ -115,8 +115,8 @@ fn under(bodies: Vec<Body>) -> Vec3 {
     center(&scene)
 }
 
-fn filter_of(transmission: f64, tint: [f64; 3]) -> Material {
-    Material { transmission, tint: Color::from(tint), ..glass(1.5) }
+fn filter_of(transmission: f64, tint: [f64; 3]) -> Phong {
+    Phong { transmission, tint: Color::from(tint), ..glass(1.5) }
 }
 
 #[test]
@@ -196,7 +196,7 @@ fn a_lit_ball_does_not_shade_its_own_bright_side() {
 
 #[test]
 fn inside_a_body_its_own_surface_filters_once() {
-    let inner = Material { color: Color::WHITE, diffuse: 1.0, ..filter_of(0.5, [1.0, 0.6, 0.2]) };
+    let inner = Phong { pattern: Color::WHITE.into(), diffuse: 1.0, ..filter_of(0.5, [1.0, 0.6, 0.2]) };
     let mut scene = scene(vec![ball(2.0, DVec3::ZERO, inner), ball(0.5, DVec3::ZERO, chalk())]);
     scene.tracing.generations = 1;
     scene.camera = camera(v(0.0, 0.0, 1.5), DVec3::ZERO, 1.0);
@@ -226,8 +226,12 @@ fn seen_from_within_an_opaque_body_is_lit_from_within() {
 #[test]
 fn checkers_count_cells_of_the_world() {
     let checker = Some(Checker { color: Color::BLACK, size: 0.5, ..Checker::default() });
-    let material =
-        Material { color: Color::WHITE, ambient: 1.0, diffuse: 0.0, checker, ..Material::default() };
+    let material = Material::Phong(Phong {
+        pattern: Pattern { color: Color::WHITE, checker, ..Pattern::default() },
+        ambient: 1.0,
+        diffuse: 0.0,
+        ..Phong::default()
+    });
     for x in -12_i32..12 {
         let mut scene = floor_seen_at(0.25 + 0.5 * f64::from(x), material.clone());
         scene.camera.position.z = 0.1;
@@ -244,8 +248,12 @@ fn a_face_on_a_border_of_cells_belongs_to_the_cell_above_it() {
     let tops =
         [(0.5, 0.0), (1.0, 1.0), (-0.5, 0.0), (37.5, 0.0), (0.499_999_8, 0.0), (0.499_995, 1.0), (-0.2, 0.0)];
     let checker = Some(Checker { color: Color::BLACK, size: 0.5, ..Checker::default() });
-    let material =
-        Material { color: Color::WHITE, ambient: 1.0, diffuse: 0.0, checker, ..Material::default() };
+    let material = Material::Phong(Phong {
+        pattern: Pattern { color: Color::WHITE, checker, ..Pattern::default() },
+        ambient: 1.0,
+        diffuse: 0.0,
+        ..Phong::default()
+    });
     for step in 0..200 {
         let height = 0.1 + 0.013 * f64::from(step);
         for (top, expected) in tops {

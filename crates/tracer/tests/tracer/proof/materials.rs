@@ -3,7 +3,10 @@
 use std::sync::atomic::AtomicBool;
 
 use catoptric_optics::{METALS, Metal, fresnel};
-use catoptric_scene::{Body, Checker, Color, Conductor, Environment, Light, Material, Model, Scene, Shape};
+use catoptric_scene::{
+    Attenuation, Body, Checker, Coated, Color, Conductor, Dielectric, Environment, Light, Material,
+    MetalOptics, Mirror, Model, Pattern, Phong, Scene, Shape,
+};
 use catoptric_tracer::{BranchOutcome, RayRecord, WhittedIntegrator};
 use glam::{DVec3, UVec2, Vec3};
 use proptest::prelude::*;
@@ -13,37 +16,43 @@ use crate::proof::common::{
     plane, ray, render_scene, scene, stage_of, tree, turned, v,
 };
 
-fn clear(ior: f64) -> Material {
-    Material { model: Model::Dielectric, ior, ..Material::default() }
+fn clear(ior: f64) -> Dielectric {
+    Dielectric { index: ior.into(), ..Dielectric::default() }
 }
 
-fn stained(color: Color, distance: f64) -> Material {
-    Material { attenuation_color: color, attenuation_distance: distance, ..clear(1.0) }
+fn stained(color: Color, distance: f64) -> Dielectric {
+    Dielectric { attenuation: Attenuation { color, distance }, ..clear(1.0) }
 }
 
 fn metal(name: &str) -> Material {
     let metal = Metal::named(name).unwrap();
-    Material { model: Model::Conductor, conductor: Conductor::Metal(metal), ..Material::default() }
+    Material::Conductor(Conductor { metal: MetalOptics::Metal(metal), ..Conductor::default() })
 }
 
 fn conductor(n: f64, k: f64) -> Material {
-    let conductor = Conductor::Index { n: DVec3::splat(n), k: DVec3::splat(k) };
-    Material { model: Model::Conductor, conductor, ..Material::default() }
+    let conductor = MetalOptics::Index { n: DVec3::splat(n), k: DVec3::splat(k) };
+    Material::Conductor(Conductor { metal: conductor, ..Conductor::default() })
 }
 
 fn of_model(model: Model, color: Color) -> Material {
-    Material { model, color, ambient: 1.0, ..Material::default() }
+    let all = Phong { pattern: color.into(), ambient: 1.0, ..Phong::default() };
+    Material::Phong(all).with_model(model)
+}
+
+/// White under a coat.
+fn coated(ior: f64) -> Coated {
+    Coated { pattern: Color::WHITE.into(), ambient: 1.0, ior, roughness: 0.0 }
 }
 
 /// The first two generations behind a ray that falls on a floor at this angle of incidence, from above or from below.
-fn on_a_floor(material: Material, degrees: f64, from_below: bool) -> Vec<RayRecord> {
+fn on_a_floor(material: impl Into<Material>, degrees: f64, from_below: bool) -> Vec<RayRecord> {
     let (sin, cos) = degrees.to_radians().sin_cos();
     let d = v(sin, if from_below { cos } else { -cos }, 0.0);
     tree(&stage_of(vec![plane(DVec3::ZERO, 0.0, material)]), ray(-d, d))
 }
 
 /// What is reflected there, by channel.
-fn reflected(material: Material, degrees: f64, from_below: bool) -> DVec3 {
+fn reflected(material: impl Into<Material>, degrees: f64, from_below: bool) -> DVec3 {
     let rays = on_a_floor(material, degrees, from_below);
     rays[0].answer.as_ref().unwrap().reflected.coefficient.as_dvec3()
 }
@@ -112,8 +121,8 @@ fn metals_of_one_scene_are_told_apart() {
 #[test]
 fn a_checker_brighter_than_white_under_a_coat_gives_no_negative_light() {
     let checker = Some(Checker { color: Color::gray(50.0), size: 0.1, ..Checker::default() });
-    let coated = Material { checker, ..of_model(Model::Coated, Color::WHITE) };
-    let picture = picture(&furnace(&coated), 60, 15);
+    let pattern = Pattern { checker, ..Color::WHITE.into() };
+    let picture = picture(&furnace(&Coated { pattern, ..coated(1.5) }.into()), 60, 15);
     assert!(picture.pixels().iter().flatten().all(|part| (0.0..1.5).contains(part)));
 }
 
@@ -133,12 +142,12 @@ fn mirrors_reflect_their_color_under_every_angle() {
     for degrees in [0.0, 45.0, 89.0] {
         assert_eq!(reflected(of_model(Model::Mirror, gray), degrees, false), v(0.25, 0.5, 0.75));
     }
-    let dull = Material { reflection: Some(0.5), ..of_model(Model::Mirror, gray) };
+    let dull = Mirror { pattern: gray.into(), reflection: Some(0.5), roughness: 0.0 };
     assert_eq!(reflected(dull, 45.0, false), v(0.125, 0.25, 0.375));
 }
 
 /// One light straight above a point that is seen straight.
-fn lit(material: Material) -> DVec3 {
+fn lit(material: impl Into<Material>) -> DVec3 {
     let mut scene = scene(vec![plane(DVec3::ZERO, 0.0, material)]);
     scene.environment.ambient = Color::BLACK;
     scene.lights = vec![Light { position: v(0.0, 4.0, 0.0), ..Light::default() }];
@@ -186,10 +195,10 @@ fn bodies_that_lose_nothing_are_invisible_in_a_furnace() {
         of_model(Model::Mirror, Color::WHITE),
         of_model(Model::Matte, Color::WHITE),
         of_model(Model::Coated, Color::WHITE),
-        Material { ior: 2.2, ..of_model(Model::Coated, Color::WHITE) },
-        clear(1.5),
-        clear(1.1),
-        clear(0.8),
+        coated(2.2).into(),
+        clear(1.5).into(),
+        clear(1.1).into(),
+        clear(0.8).into(),
         conductor(0.001, 50.0),
     ];
     for material in materials {
@@ -204,7 +213,7 @@ fn bodies_that_lose_nothing_are_invisible_in_a_furnace() {
                 assert!(lost.max_element() < 1e-2, "{lost} at {place}");
             }
             for (part, lost) in pixel.iter().zip(lost.to_array()) {
-                assert!((part + lost - 1.0).abs() < 1e-3, "{:?} at {place}: {pixel:?}", material.model);
+                assert!((part + lost - 1.0).abs() < 1e-3, "{:?} at {place}: {pixel:?}", material.model());
             }
         }
     }
@@ -214,8 +223,7 @@ fn bodies_that_lose_nothing_are_invisible_in_a_furnace() {
 #[test]
 fn white_coats_are_invisible_in_a_furnace_at_every_index() {
     for ior in [0.01, 0.0101, 0.012, 0.015, 0.1, 0.7, 0.99, 1.0, 1.01, 3.0, 20.0, 100.0] {
-        let material = Material { ior, ..of_model(Model::Coated, Color::WHITE) };
-        let picture = picture(&furnace(&material), 60, 15);
+        let picture = picture(&furnace(&coated(ior).into()), 60, 15);
         for pixel in picture.pixels() {
             assert!(pixel.iter().all(|part| (part - 1.0).abs() < 1e-3), "{ior}: {pixel:?}");
         }
@@ -238,7 +246,7 @@ fn glass_of_equal_index_changes_nothing() {
         ball(1.0, DVec3::ZERO, clear(1.0)),
         turned(Shape::CUBE, v(1.5, 0.0, 0.0), v(20.0, 30.0, 40.0), clear(1.0)),
         turned(Shape::CONE, v(-1.5, 0.0, 0.0), v(20.0, 30.0, 40.0), clear(1.0)),
-        ball(0.4, v(0.0, 0.8, 0.0), Material { roughness: 0.8, ..clear(1.0) }),
+        ball(0.4, v(0.0, 0.8, 0.0), Dielectric { roughness: 0.8, ..clear(1.0) }),
     ];
     let look = |bodies: Vec<Body>| {
         let mut scene = scene(bodies);
@@ -274,7 +282,7 @@ fn light_is_lost_by_the_way_in_a_body() {
 fn a_color_that_is_used_up_leaves_nothing_and_no_nan() {
     let black = Color::new(0.0, 1.0, 0.5);
     let mut scene = scene(vec![
-        body(Shape::SPHERE, DVec3::ZERO, Material { ior: 1.5, ..stained(black, 1e-9) }),
+        body(Shape::SPHERE, DVec3::ZERO, Dielectric { index: 1.5.into(), ..stained(black, 1e-9) }),
         block(v(9.0, 9.0, 0.1), v(0.0, 0.0, -9.0), of_model(Model::Matte, Color::WHITE)),
     ]);
     scene.lights = vec![Light { position: v(0.3, 0.2, 5.0), ..Light::default() }];

@@ -196,7 +196,8 @@ fn a_branching_tree_keeps_the_media_of_each_branch() {
     let mut bodies = [layer(-2.0, 2.0, 1.5), layer(-1.0, 1.0, 1.8)];
     for body in &mut bodies {
         let catoptric_scene::MaterialChoice::Inline(material) = &mut body.material else { unreachable!() };
-        (material.reflection, material.transmission) = (Some(0.4), 0.6);
+        let phong = material.as_phong_mut().unwrap();
+        (phong.reflection, phong.transmission) = (Some(0.4), 0.6);
     }
     let render_scene = stage_of(bodies.to_vec()).with_generations(9);
     let d = v(0.6, -0.8, 0.0);

@@ -120,7 +120,7 @@ fn a_corner_of_solid_boxes_returns_rays() {
 /// Two mirrors that face each other at the distance `gap` along x.
 fn corridor(gap: f64, rho: f64, glow: f64) -> Vec<Body> {
     let mut wall = mirror();
-    (wall.color, wall.ambient, wall.reflection) = (Color::WHITE, glow, Some(rho));
+    (wall.pattern.color, wall.ambient, wall.reflection) = (Color::WHITE, glow, Some(rho));
     vec![plane(DVec3::ZERO, -90.0, wall.clone()), plane(v(gap, 0.0, 0.0), 90.0, wall)]
 }
 
@@ -300,7 +300,7 @@ fn alhazens_point_is_found_by_tracing() {
 fn a_mirror_box_glows_like_its_series() {
     // A closed room of six walls: every ray meets exactly one wall per generation.
     let mut wall = mirror();
-    (wall.color, wall.ambient, wall.reflection) = (Color::new(1.0, 0.5, 0.25), 0.3, Some(0.7));
+    (wall.pattern.color, wall.ambient, wall.reflection) = (Color::new(1.0, 0.5, 0.25), 0.3, Some(0.7));
     let render_scene = stage_of(vec![block(v(3.0, 2.0, 5.0), v(0.1, 0.2, 0.3), wall)]).with_generations(12);
     let sum = 0.3 * (1.0 - 0.7_f64.powi(12)) / 0.3;
     for d in [v(1.0, 2.0, 3.0), v(-3.0, 0.1, 0.2), DVec3::Y] {

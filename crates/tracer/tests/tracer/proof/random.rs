@@ -1,7 +1,8 @@
 //! Random scenes of everything against the oracle.
 
 use catoptric_scene::{
-    Anchor, Body, Checker, Color, Falloff, Material, Placement, Projection, Scene, Shape, Tracing,
+    Anchor, Body, Checker, Color, Falloff, Material, Pattern, Phong, Placement, Projection, Scene, Shape,
+    Tracing,
 };
 use glam::DVec3;
 use proptest::prelude::*;
@@ -17,29 +18,32 @@ fn color() -> impl Strategy<Value = Color> {
 
 pub(crate) fn material() -> impl Strategy<Value = Material> {
     let opaque = (color(), 0.0..1.0_f64, 0.0..0.6_f64, 1.0..100.0_f64).prop_map(
-        |(color, diffuse, specular, shininess)| Material {
-            color,
-            diffuse,
-            specular,
-            shininess,
-            ..Material::default()
+        |(color, diffuse, specular, shininess)| {
+            Material::Phong(Phong { pattern: color.into(), diffuse, specular, shininess, ..Phong::default() })
         },
     );
-    let checkered = (color(), color(), 0.2..1.0_f64).prop_map(|(color, other, size)| Material {
-        color,
-        checker: Some(Checker { color: other, size, ..Checker::default() }),
-        ..Material::default()
+    let checkered = (color(), color(), 0.2..1.0_f64).prop_map(|(color, other, size)| {
+        Material::Phong(Phong {
+            pattern: Pattern {
+                color,
+                checker: Some(Checker { color: other, size, ..Checker::default() }),
+                ..Pattern::default()
+            },
+            ..Phong::default()
+        })
     });
     let clear = (color(), 0.4..1.0_f64, 0.0..0.3_f64, 0.7..2.0_f64).prop_map(
-        |(tint, transmission, reflection, ior)| Material {
-            ambient: 0.02,
-            diffuse: 0.1,
-            specular: 0.4,
-            tint,
-            transmission,
-            reflection: Some(reflection),
-            ior,
-            ..Material::default()
+        |(tint, transmission, reflection, ior)| {
+            Material::Phong(Phong {
+                ambient: 0.02,
+                diffuse: 0.1,
+                specular: 0.4,
+                tint,
+                transmission,
+                reflection: Some(reflection),
+                ior,
+                ..Phong::default()
+            })
         },
     );
     prop_oneof![3 => opaque, 1 => checkered, 2 => clear]

@@ -6,7 +6,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use catoptric_scene::{Body, Camera, Color, Falloff, Material, Projection, Scene, Tracing};
+use catoptric_scene::{Body, Camera, Color, Falloff, Material, Phong, Projection, Scene, Tracing};
 use catoptric_tracer::{RayCounts, WhittedIntegrator};
 use glam::{DMat3, DQuat, DVec2, DVec3};
 use rayon::prelude::*;
@@ -52,9 +52,17 @@ fn sphereflake(
 }
 
 fn balls() -> Scene {
-    let shiny =
-        Material { color: Color::new(1.0, 0.9, 0.7), diffuse: 0.5, specular: 0.5, ..Material::default() };
-    let floor = Material { color: Color::new(1.0, 0.75, 0.33), diffuse: 0.8, ..Material::default() };
+    let shiny = Material::Phong(Phong {
+        pattern: Color::new(1.0, 0.9, 0.7).into(),
+        diffuse: 0.5,
+        specular: 0.5,
+        ..Phong::default()
+    });
+    let floor = Material::Phong(Phong {
+        pattern: Color::new(1.0, 0.75, 0.33).into(),
+        diffuse: 0.8,
+        ..Phong::default()
+    });
     // The floor is one polygon; a sheet below it has the same upper side.
     let mut bodies = [block(v(24.0, 24.0, 1e-3), v(0.0, 0.0, -0.5005), floor)].into();
     sphereflake(DVec3::ZERO, 0.5, DVec3::Z, 4, &shiny, &mut bodies);

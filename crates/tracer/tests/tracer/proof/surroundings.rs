@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use catoptric_picture::Picture;
 use catoptric_scene::{
-    Anchor, Body, Checker, CheckerSpace, Color, Image, Light, Material, Model, Placement, Scene, Shape, Sky,
-    Surroundings,
+    Anchor, Body, Checker, CheckerSpace, Color, Dielectric, Image, Light, Material, Mirror, Model, Pattern,
+    Phong, Placement, Scene, Shape, Sky, Surroundings,
 };
 use glam::{DQuat, DVec3};
 
@@ -24,15 +24,15 @@ fn under(surroundings: Surroundings, bodies: Vec<Body>) -> Scene {
     scene
 }
 
-fn mirror() -> Material {
-    Material { model: Model::Mirror, color: Color::WHITE, ..Material::default() }
+fn mirror() -> Mirror {
+    Mirror { pattern: Color::WHITE.into(), ..Mirror::default() }
 }
 
 fn around_a_bit_of_everything() -> Vec<Body> {
     vec![
-        plane(v(0.0, -1.0, 0.0), 0.0, Material { reflection: Some(0.4), ..chalk() }),
+        plane(v(0.0, -1.0, 0.0), 0.0, Phong { reflection: Some(0.4), ..chalk() }),
         ball(0.8, v(-1.0, 0.0, 0.0), mirror()),
-        ball(0.7, v(0.8, 0.1, 0.3), Material { model: Model::Dielectric, ..Material::default() }),
+        ball(0.7, v(0.8, 0.1, 0.3), Dielectric::default()),
         turned(Shape::CONE, v(0.0, -0.5, 1.5), v(20.0, 0.0, 50.0), mirror()),
     ]
 }
@@ -111,8 +111,13 @@ fn a_texture_of_one_color_is_that_color() {
     let pixels = image(2, 2, |_, _| color.to_array().map(|part| part as f32));
     let shapes = [Shape::SPHERE, Shape::CUBE, Shape::CYLINDER, Shape::CONE, Shape::Plane];
     for model in [Model::Phong, Model::Mirror, Model::Matte, Model::Coated] {
-        let material = Material { model, color, ..Material::default() };
-        let textured = Material { texture: Some(pixels.clone()), color: Color::BLACK, ..material.clone() };
+        let of_pattern = |pattern: Pattern| {
+            let mut material = Material::from(model);
+            *material.pattern_mut().unwrap() = pattern;
+            material
+        };
+        let material = of_pattern(color.into());
+        let textured = of_pattern(Pattern { texture: Some(pixels.clone()), ..Color::BLACK.into() });
         let drawn = [material, textured].map(|material| {
             let bodies = shapes.iter().zip(-2..).map(|(shape, x)| {
                 turned(*shape, v(f64::from(x), -0.3, 0.0), v(30.0, 20.0, 10.0), material.clone())
@@ -131,7 +136,8 @@ fn a_texture_of_one_color_is_that_color() {
 #[test]
 fn the_pixels_of_a_texture_lie_on_a_cube_as_on_a_wall() {
     let numbered = image(4, 2, |x, y| [(1 + x + 4 * y) as f32, 0.0, 0.0]);
-    let material = Material { texture: Some(numbered), ..glow(Color::WHITE) };
+    let material =
+        Phong { pattern: Pattern { texture: Some(numbered), ..Pattern::default() }, ..glow(Color::WHITE) };
     let render_scene = render_scene(&scene(vec![block(DVec3::splat(2.0), DVec3::ZERO, material)]));
     for y in 0..2 {
         for x in 0..4 {
@@ -148,10 +154,10 @@ fn cells_of_a_body_move_and_turn_with_it_and_keep_their_size() {
     let body = |space, anchor, scale| Body {
         shape: Shape::Cube { size: v(1.1, 0.7, 0.9) },
         placement: Placement { anchor, scale },
-        material: catoptric_scene::MaterialChoice::Inline(Box::new(Material {
-            checker: checker(space),
+        material: catoptric_scene::MaterialChoice::own(Phong {
+            pattern: Pattern { checker: checker(space), ..Color::WHITE.into() },
             ..glow(Color::WHITE)
-        })),
+        }),
         ..Body::default()
     };
     let frame = |position, rotation_degrees| Anchor::Frame { position, rotation_degrees };

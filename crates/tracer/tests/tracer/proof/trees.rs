@@ -3,7 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use catoptric_picture::Picture;
-use catoptric_scene::{Checker, Color, Material, Scene};
+use catoptric_scene::{Checker, Color, Material, Pattern, Phong, Scene};
 use catoptric_tracer::{RayCounts, RayKind, WhittedIntegrator};
 use glam::{DVec2, DVec3, Vec3};
 
@@ -39,7 +39,8 @@ fn weights_are_products_of_coefficients_and_generations_count_from_the_eye() {
             let parent = &rays[ray.parent.unwrap()];
             assert_eq!(ray.generation, parent.generation + 1);
             let hit = parent.hit.unwrap();
-            let material = scene.material(&scene.bodies[hit.body].material).unwrap();
+            let material =
+                scene.material(&scene.bodies[hit.body].material).and_then(Material::as_phong).unwrap();
             let tint = Vec3::from_array(material.tint.to_array().map(|channel| channel as f32));
             let refracted = tint * material.transmission as f32;
             // The only child of a transparent surface is a total reflection, if anything is let through.
@@ -94,9 +95,9 @@ fn another_generation_never_darkens() {
 fn without_coefficients(scene: &Scene) -> Scene {
     let mut local = scene.clone();
     for body in &mut local.bodies {
-        let mut material = scene.material(&body.material).unwrap().clone();
+        let mut material = scene.material(&body.material).and_then(Material::as_phong).unwrap().clone();
         (material.reflection, material.transmission) = (Some(0.0), 0.0);
-        body.material = catoptric_scene::MaterialChoice::Inline(Box::new(material));
+        body.material = catoptric_scene::MaterialChoice::own(material);
     }
     local
 }
@@ -147,7 +148,7 @@ fn a_tiny_threshold_changes_nothing_visible() {
 #[test]
 fn coefficients_above_one_and_bright_lights_are_not_clamped_on_the_way() {
     let mut wall = mirror();
-    (wall.color, wall.ambient, wall.reflection) = (Color::WHITE, 2.0, Some(1.5));
+    (wall.pattern.color, wall.ambient, wall.reflection) = (Color::WHITE, 2.0, Some(1.5));
     let mut scene = crate::proof::common::scene(vec![
         plane(DVec3::ZERO, -90.0, wall.clone()),
         plane(DVec3::X, 90.0, wall),
@@ -163,7 +164,7 @@ fn coefficients_above_one_and_bright_lights_are_not_clamped_on_the_way() {
 fn rays_are_counted_by_kind() {
     // A lamp of two lights over a half-mirror seen in a glass pane: every number can be told by hand.
     let mut scene = crate::proof::common::scene(vec![
-        plane(DVec3::ZERO, 0.0, Material { reflection: Some(0.5), ..Material::default() }),
+        plane(DVec3::ZERO, 0.0, Material::Phong(Phong { reflection: Some(0.5), ..Phong::default() })),
         crate::proof::common::block(v(10.0, 0.1, 10.0), v(0.0, 3.0, 0.0), glass(1.5)),
     ]);
     scene.lights = [1.0, -1.0]
@@ -185,7 +186,12 @@ fn rays_are_counted_by_kind() {
 #[test]
 fn a_checker_of_two_colors_is_reflected_as_it_is() {
     let checker = Some(Checker { color: Color::BLACK, size: 1.0, ..Checker::default() });
-    let floor = Material { color: Color::WHITE, ambient: 1.0, diffuse: 0.0, checker, ..Material::default() };
+    let floor = Material::Phong(Phong {
+        pattern: Pattern { color: Color::WHITE, checker, ..Pattern::default() },
+        ambient: 1.0,
+        diffuse: 0.0,
+        ..Phong::default()
+    });
     let render_scene = crate::proof::common::stage_of(vec![
         plane(DVec3::ZERO, 0.0, floor),
         plane(v(0.0, 4.0, 0.0), 180.0, mirror()),

@@ -3,7 +3,7 @@
 use std::sync::{Arc, OnceLock};
 
 use catoptric_optics::{METALS, fresnel};
-use catoptric_scene::Conductor;
+use catoptric_scene::MetalOptics;
 
 use crate::simd::vector::Vector;
 use crate::simd::{Float32 as _, MOST_LANES, Width};
@@ -25,10 +25,10 @@ const POINTS: usize = STEPS + 3;
 static MEASURED: [OnceLock<Arc<ConductorTable>>; METALS.len()] = [const { OnceLock::new() }; METALS.len()];
 
 impl ConductorTable {
-    pub(crate) fn of(conductor: &Conductor) -> Arc<Self> {
+    pub(crate) fn of(conductor: &MetalOptics) -> Arc<Self> {
         let place = match conductor {
-            Conductor::Metal(metal) => METALS.iter().position(|other| other.name == metal.name),
-            Conductor::Index { .. } => None,
+            MetalOptics::Metal(metal) => METALS.iter().position(|other| other.name == metal.name),
+            MetalOptics::Index { .. } => None,
         };
         let make = || Arc::new(Self::new(conductor));
         match place.and_then(|place| MEASURED.get(place)) {
@@ -37,7 +37,7 @@ impl ConductorTable {
         }
     }
 
-    fn new(conductor: &Conductor) -> Self {
+    fn new(conductor: &MetalOptics) -> Self {
         let exact = |cos: f64| reflectance(conductor, cos);
         let mut points = Box::new([[0.0; 3]; POINTS]);
         for (index, point) in points.iter_mut().enumerate() {
@@ -91,10 +91,10 @@ fn beyond([a, b, c, d]: [[f64; 3]; 4]) -> [f64; 3] {
 
 /// What a conductor in air reflects of unpolarized daylight as linear sRGB. The red of gold is above 1, a little outside
 /// of what sRGB shows.
-fn reflectance(conductor: &Conductor, cos: f64) -> [f64; 3] {
+fn reflectance(conductor: &MetalOptics, cos: f64) -> [f64; 3] {
     match *conductor {
-        Conductor::Metal(metal) => metal.reflectance(cos, 1.0),
-        Conductor::Index { n, k } => {
+        MetalOptics::Metal(metal) => metal.reflectance(cos, 1.0),
+        MetalOptics::Index { n, k } => {
             let channel = |n: f64, k: f64| fresnel::conductor(cos, n, k).mean();
             [channel(n.x, k.x), channel(n.y, k.y), channel(n.z, k.z)]
         }
@@ -120,9 +120,9 @@ mod tests {
 
     #[test]
     fn the_curve_is_that_of_double_precision() {
-        let measured = METALS.iter().map(Conductor::Metal);
+        let measured = METALS.iter().map(MetalOptics::Metal);
         let made = [(0.05, 4.0), (1.5, 0.0), (2.9, 3.1), (1.4, 7.6), (0.2, 0.1)];
-        let made = made.map(|(n, k)| Conductor::Index { n: DVec3::splat(n), k: DVec3::splat(k) });
+        let made = made.map(|(n, k)| MetalOptics::Index { n: DVec3::splat(n), k: DVec3::splat(k) });
         for conductor in measured.chain(made) {
             // Of the first one that is asked for, too.
             let curve = ConductorTable::of(&conductor);

@@ -7,7 +7,7 @@ use std::sync::atomic::AtomicBool;
 
 use catoptric_picture::{Difference, Picture};
 use catoptric_scene::{
-    Anchor, Body, Camera, Color, Environment, Falloff, Light, Material, MaterialChoice, Placement,
+    Anchor, Body, Camera, Color, Environment, Falloff, Light, Material, MaterialChoice, Phong, Placement,
     Projection, Scene, Shape, Tracing,
 };
 use catoptric_tracer::{
@@ -38,39 +38,37 @@ pub(crate) fn cases(count: u32) -> Config {
 // ---- materials ----
 
 /// Reflects everything and nothing else.
-pub(crate) fn mirror() -> Material {
-    Material { ambient: 0.0, diffuse: 0.0, reflection: Some(1.0), ..Material::default() }
+pub(crate) fn mirror() -> Phong {
+    Phong { ambient: 0.0, diffuse: 0.0, reflection: Some(1.0), ..Phong::default() }
 }
 
 /// Lets everything pass and nothing else.
-pub(crate) fn glass(ior: f64) -> Material {
-    Material {
-        ambient: 0.0,
-        diffuse: 0.0,
-        reflection: Some(0.0),
-        transmission: 1.0,
-        ior,
-        ..Material::default()
-    }
+pub(crate) fn glass(ior: f64) -> Phong {
+    Phong { ambient: 0.0, diffuse: 0.0, reflection: Some(0.0), transmission: 1.0, ior, ..Phong::default() }
 }
 
 /// Has this color however it is lit, in a scene made by [`scene`].
-pub(crate) fn glow(color: Color) -> Material {
-    Material { color, ambient: 1.0, diffuse: 0.0, ..Material::default() }
+pub(crate) fn glow(color: Color) -> Phong {
+    Phong { pattern: color.into(), ambient: 1.0, diffuse: 0.0, ..Phong::default() }
 }
 
 /// Diffuse white and nothing else.
-pub(crate) fn chalk() -> Material {
-    Material { color: Color::WHITE, ambient: 0.0, diffuse: 1.0, ..Material::default() }
+pub(crate) fn chalk() -> Phong {
+    Phong { pattern: Color::WHITE.into(), ambient: 0.0, diffuse: 1.0, ..Phong::default() }
 }
 
 // ---- bodies ----
 
-pub(crate) fn body(shape: Shape, position: DVec3, material: Material) -> Body {
+pub(crate) fn body(shape: Shape, position: DVec3, material: impl Into<Material>) -> Body {
     placed(shape, Placement::at(position), material)
 }
 
-pub(crate) fn turned(shape: Shape, position: DVec3, rotation_degrees: DVec3, material: Material) -> Body {
+pub(crate) fn turned(
+    shape: Shape,
+    position: DVec3,
+    rotation_degrees: DVec3,
+    material: impl Into<Material>,
+) -> Body {
     placed(
         shape,
         Placement { anchor: Anchor::Frame { position, rotation_degrees }, scale: DVec3::ONE },
@@ -78,21 +76,21 @@ pub(crate) fn turned(shape: Shape, position: DVec3, rotation_degrees: DVec3, mat
     )
 }
 
-pub(crate) fn placed(shape: Shape, placement: Placement, material: Material) -> Body {
-    let material = MaterialChoice::Inline(Box::new(material));
+pub(crate) fn placed(shape: Shape, placement: Placement, material: impl Into<Material>) -> Body {
+    let material = MaterialChoice::own(material);
     Body { shape, placement, material, ..Body::default() }
 }
 
-pub(crate) fn ball(radius: f64, position: DVec3, material: Material) -> Body {
+pub(crate) fn ball(radius: f64, position: DVec3, material: impl Into<Material>) -> Body {
     body(Shape::Sphere { radius }, position, material)
 }
 
-pub(crate) fn block(size: DVec3, position: DVec3, material: Material) -> Body {
+pub(crate) fn block(size: DVec3, position: DVec3, material: impl Into<Material>) -> Body {
     body(Shape::Cube { size }, position, material)
 }
 
 /// The plane through `point` whose outward normal lies in the xy-plane, `degrees` from +Y towards -X.
-pub(crate) fn plane(point: DVec3, degrees: f64, material: Material) -> Body {
+pub(crate) fn plane(point: DVec3, degrees: f64, material: impl Into<Material>) -> Body {
     turned(Shape::Plane, point, v(0.0, 0.0, degrees), material)
 }
 

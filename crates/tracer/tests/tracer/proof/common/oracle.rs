@@ -2,7 +2,7 @@
 //! tiny offset against self-intersection and a list for the media. What the tracer is held against.
 
 use catoptric_picture::Picture;
-use catoptric_scene::{Anchor, Body, Camera, Color, Falloff, Material, Projection, Scene, Shape};
+use catoptric_scene::{Anchor, Body, Camera, Color, Falloff, Material, Phong, Projection, Scene, Shape};
 use glam::{DMat3, DVec3};
 
 use super::textbook;
@@ -17,7 +17,7 @@ pub(crate) struct Oracle<'a> {
 
 struct Placed<'a> {
     shape: Shape,
-    material: &'a Material,
+    material: &'a Phong,
     world_from_body: DMat3,
     body_from_world: DMat3,
     position: DVec3,
@@ -159,14 +159,14 @@ impl<'a> Oracle<'a> {
         light
     }
 
-    fn local(&self, material: &Material, at: DVec3, n: DVec3, to_viewer: DVec3) -> DVec3 {
-        let color = match &material.checker {
+    fn local(&self, material: &Phong, at: DVec3, n: DVec3, to_viewer: DVec3) -> DVec3 {
+        let color = match &material.pattern.checker {
             Some(checker) => {
                 let cells = (at / checker.size + 1e-6).floor();
                 let even = cells.element_sum().rem_euclid(2.0) == 0.0;
-                rgb(if even { material.color } else { checker.color })
+                rgb(if even { material.pattern.color } else { checker.color })
             }
-            None => rgb(material.color),
+            None => rgb(material.pattern.color),
         };
         let mut light = material.ambient * color * rgb(self.scene.environment.ambient);
         for source in &self.scene.lights {
@@ -216,7 +216,7 @@ fn snell(direction: DVec3, n: DVec3, from: f64, to: f64) -> Option<DVec3> {
 }
 
 fn place<'a>(scene: &'a Scene, body: &'a Body) -> Placed<'a> {
-    let material = scene.material(&body.material).unwrap();
+    let material = scene.material(&body.material).and_then(Material::as_phong).unwrap();
     let Anchor::Frame { position, rotation_degrees } = body.placement.anchor else {
         unreachable!("the oracle's scenes place bodies by frame");
     };
