@@ -112,7 +112,7 @@ fn a_material_that_becomes_physical_changes_the_form_of_all() {
     for model in [Model::Coated, Model::Conductor, Model::Dielectric] {
         let sent = follower.edit(7, |body| {
             let mut material = Material::from(model);
-            material.roughness_mut().map(|roughness| *roughness = 0.4).unwrap();
+            *material.roughness_mut().unwrap() = 0.4;
             body.material = MaterialChoice::Inline(Box::new(material));
         });
         assert!(sent > 0);

@@ -195,8 +195,8 @@ impl<'b, 't> Fields<'_, 'b, 't> {
     /// Reports the wrong values among the keys that depend on `choice` and have no meaning for its value `chosen`.
     pub(crate) fn check_inapplicable(&mut self, choice: &str, chosen: &str) {
         for key in self.spec.keys {
-            let is_idle = matches!(key.when, When::Choice { choice: other, values } if other == choice && !values.contains(&chosen));
-            if is_idle {
+            let When::Choice { choice: other, values } = key.when else { continue };
+            if other == choice && !values.contains(&chosen) {
                 self.check_value(key);
             }
         }
