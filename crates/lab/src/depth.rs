@@ -1,5 +1,6 @@
 //! The depth to which a scene needs to be traced, and materials that give more light than they get.
 
+use catoptric_optics::fresnel;
 use catoptric_scene::{Body, Camera, Color, Material, MaterialChoice, Pattern, Projection, Scene, Tracing};
 use catoptric_tracer::{RenderCamera, RenderControl, RenderError, RenderScene, WhittedIntegrator};
 use glam::{DVec3, UVec2};
@@ -268,6 +269,11 @@ pub fn excess_of(material: &Material) -> impl Iterator<Item = (ExcessKind, f64)>
         Material::Dielectric(_) | Material::Conductor(_) | Material::Coated(_) => {
             (DVec3::ZERO, DVec3::ZERO, DVec3::ZERO)
         }
+        Material::ThinDielectric(sheet) => {
+            let reflected = fresnel::sheet(1.0, sheet.ior).mean();
+            let passed = (1.0 - reflected) * DVec3::from_array(sheet.tint.to_array());
+            (DVec3::ZERO, DVec3::splat(reflected), passed)
+        }
     };
     let parts = diffuse.to_array().into_iter().zip(reflection.to_array()).zip(transmission.to_array());
     let channels = parts.enumerate().map(|(channel, ((diffuse, reflection), transmission))| {
@@ -281,7 +287,8 @@ pub fn excess_of(material: &Material) -> impl Iterator<Item = (ExcessKind, f64)>
         | Material::Conductor(_)
         | Material::Mirror(_)
         | Material::Matte(_)
-        | Material::Coated(_) => 0.0,
+        | Material::Coated(_)
+        | Material::ThinDielectric(_) => 0.0,
     };
     most.into_iter().chain([(ExcessKind::Highlight, highlight)]).filter(|(_, amount)| *amount > ALL)
 }

@@ -29,6 +29,7 @@ pub enum CurveKind {
 #[derive(Clone, Debug, PartialEq)]
 enum ReflectanceLaw {
     Clear(f64),
+    Sheet(f64),
     Metal([f64; 2]),
     /// Half degrees from 0 to 90.
     Measured(Vec<f64>),
@@ -47,6 +48,7 @@ impl ReflectanceCurve {
         let cos = degrees.clamp(0.0, 90.0).to_radians().cos();
         match &self.law {
             ReflectanceLaw::Clear(eta) => fresnel::dielectric(cos, *eta).mean(),
+            ReflectanceLaw::Sheet(eta) => fresnel::sheet(cos, *eta).mean(),
             ReflectanceLaw::Metal([n, k]) => fresnel::conductor(cos, *n, *k).mean(),
             ReflectanceLaw::Measured(points) => {
                 let place = degrees.clamp(0.0, 90.0) * 2.0;
@@ -88,6 +90,9 @@ pub fn curves_of(material: &Material) -> Vec<ReflectanceCurve> {
             vec![clear(CurveKind::FromOutside, ior), clear(CurveKind::FromInside, 1.0 / ior)]
         }
         Material::Coated(coated) => vec![clear(CurveKind::FromOutside, coated.ior)],
+        Material::ThinDielectric(sheet) => {
+            vec![ReflectanceCurve { kind: CurveKind::FromOutside, law: ReflectanceLaw::Sheet(sheet.ior) }]
+        }
         Material::Conductor(conductor) => {
             let kinds = [CurveKind::Red, CurveKind::Green, CurveKind::Blue];
             let laws: [ReflectanceLaw; 3] = match conductor.metal {
@@ -148,6 +153,7 @@ pub fn marks_of(material: &Material) -> Vec<SpecialAngle> {
             vec![(ior, false), (1.0 / ior, true)]
         }
         Material::Coated(coated) => vec![(coated.ior, false)],
+        Material::ThinDielectric(sheet) => vec![(sheet.ior, false)],
         Material::Phong(_) | Material::Conductor(_) | Material::Mirror(_) | Material::Matte(_) => Vec::new(),
     };
     let mut marks = Vec::new();

@@ -42,6 +42,16 @@ pub fn dielectric(cos: f64, eta: f64) -> Reflectance {
     }
 }
 
+/// Reflectance of a thin sheet of a clear medium whose index is `eta` times that on both sides: light goes to and fro
+/// between the faces, and `2R/(1 + R)` of each polarization comes back in all (G. G. Stokes 1862, On the intensity of the
+/// light reflected from or transmitted through a pile of plates). What passes, the rest, leaves under the angle of
+/// incidence. As for [`dielectric`].
+pub fn sheet(cos: f64, eta: f64) -> Reflectance {
+    let Reflectance { across, along } = dielectric(cos, eta);
+    let all = |once: f64| 2.0 * once / (1.0 + once);
+    Reflectance { across: all(across), along: all(along) }
+}
+
 /// Cosine of the angle of refraction by Snell's law; `None` is total reflection. As for [`dielectric`].
 pub fn refracted(cos: f64, eta: f64) -> Option<f64> {
     let cos = cos.clamp(0.0, 1.0);

@@ -30,7 +30,7 @@ pub use light::{Falloff, Light};
 pub use list::{CountedIter, List, ListIter, ListIterMut, ListSlices};
 pub use material::{
     Attenuation, Checker, CheckerSpace, Coated, Conductor, Dielectric, Material, MaterialChoice, Matte,
-    MetalOptics, Mirror, Model, NamedMaterial, Pattern, Phong, RefractiveIndex, Share,
+    MetalOptics, Mirror, Model, NamedMaterial, Pattern, Phong, RefractiveIndex, Share, ThinDielectric,
 };
 pub use text::{is_active, quoted_name, visible, visible_lines};
 

@@ -7,6 +7,7 @@ mod matte;
 mod mirror;
 mod pattern;
 mod phong;
+mod thin_dielectric;
 
 use catoptric_optics::Dispersion;
 
@@ -20,6 +21,7 @@ pub use crate::material::matte::Matte;
 pub use crate::material::mirror::Mirror;
 pub use crate::material::pattern::{Checker, CheckerSpace, Pattern};
 pub use crate::material::phong::Phong;
+pub use crate::material::thin_dielectric::ThinDielectric;
 
 /// The material of a surface: its model with the model's own numbers, of which none is negative. Default Phong's.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,6 +38,8 @@ pub enum Material {
     Matte(Matte),
     /// A matte surface under a clear coat.
     Coated(Coated),
+    /// A thin sheet of a clear substance.
+    ThinDielectric(ThinDielectric),
 }
 
 /// The model of a material.
@@ -54,12 +58,21 @@ pub enum Model {
     Matte,
     /// [`Coated`].
     Coated,
+    /// [`ThinDielectric`].
+    ThinDielectric,
 }
 
 impl Model {
     /// All, in the order of the format.
-    pub const ALL: [Self; 6] =
-        [Self::Phong, Self::Dielectric, Self::Conductor, Self::Mirror, Self::Matte, Self::Coated];
+    pub const ALL: [Self; 7] = [
+        Self::Phong,
+        Self::Dielectric,
+        Self::Conductor,
+        Self::Mirror,
+        Self::Matte,
+        Self::Coated,
+        Self::ThinDielectric,
+    ];
 
     /// The word in scene files.
     pub const fn key(self) -> &'static str {
@@ -70,6 +83,7 @@ impl Model {
             Self::Mirror => "mirror",
             Self::Matte => "matte",
             Self::Coated => "coated",
+            Self::ThinDielectric => "thin-dielectric",
         }
     }
 
@@ -89,6 +103,7 @@ impl Material {
             Self::Mirror(_) => Model::Mirror,
             Self::Matte(_) => Model::Matte,
             Self::Coated(_) => Model::Coated,
+            Self::ThinDielectric(_) => Model::ThinDielectric,
         }
     }
 
@@ -99,7 +114,7 @@ impl Material {
     }
 
     /// The material with the numbers of another as far as both models have them: pattern, ambient and reflection
-    /// coefficient, index of refraction (unless it is a substance's), roughness.
+    /// coefficient, index of refraction (unless it is a substance's), tint, roughness.
     #[must_use]
     pub fn with_shared(mut self, other: &Self) -> Self {
         if let (Some(own), Some(pattern)) = (self.pattern_mut(), other.pattern()) {
@@ -117,6 +132,9 @@ impl Material {
         }
         if let (Some(own), Some(ior)) = (self.ior_mut(), other.ior()) {
             *own = ior;
+        }
+        if let (Some(own), Some(tint)) = (self.tint_mut(), other.tint()) {
+            *own = tint;
         }
         if let (Some(own), Some(roughness)) = (self.roughness_mut(), other.roughness()) {
             *own = roughness;
@@ -141,7 +159,7 @@ impl Material {
             | Self::Mirror(Mirror { pattern, .. })
             | Self::Matte(Matte { pattern, .. })
             | Self::Coated(Coated { pattern, .. }) => Some(pattern),
-            Self::Dielectric(_) | Self::Conductor(_) => None,
+            Self::Dielectric(_) | Self::Conductor(_) | Self::ThinDielectric(_) => None,
         }
     }
 
@@ -152,7 +170,7 @@ impl Material {
             | Self::Mirror(Mirror { pattern, .. })
             | Self::Matte(Matte { pattern, .. })
             | Self::Coated(Coated { pattern, .. }) => Some(pattern),
-            Self::Dielectric(_) | Self::Conductor(_) => None,
+            Self::Dielectric(_) | Self::Conductor(_) | Self::ThinDielectric(_) => None,
         }
     }
 
@@ -162,7 +180,7 @@ impl Material {
             Self::Phong(Phong { ambient, .. })
             | Self::Matte(Matte { ambient, .. })
             | Self::Coated(Coated { ambient, .. }) => Some(ambient),
-            Self::Dielectric(_) | Self::Conductor(_) | Self::Mirror(_) => None,
+            Self::Dielectric(_) | Self::Conductor(_) | Self::Mirror(_) | Self::ThinDielectric(_) => None,
         }
     }
 
@@ -172,7 +190,7 @@ impl Material {
             Self::Phong(Phong { ambient, .. })
             | Self::Matte(Matte { ambient, .. })
             | Self::Coated(Coated { ambient, .. }) => Some(ambient),
-            Self::Dielectric(_) | Self::Conductor(_) | Self::Mirror(_) => None,
+            Self::Dielectric(_) | Self::Conductor(_) | Self::Mirror(_) | Self::ThinDielectric(_) => None,
         }
     }
 
@@ -181,14 +199,20 @@ impl Material {
         match self {
             Self::Phong(phong) => Some(phong.reflection()),
             Self::Mirror(mirror) => Some(mirror.reflection()),
-            Self::Dielectric(_) | Self::Conductor(_) | Self::Matte(_) | Self::Coated(_) => None,
+            Self::Dielectric(_)
+            | Self::Conductor(_)
+            | Self::Matte(_)
+            | Self::Coated(_)
+            | Self::ThinDielectric(_) => None,
         }
     }
 
     /// The index of refraction of yellow light relative to air, where the model refracts light.
     pub fn ior(&self) -> Option<f64> {
         match self {
-            Self::Phong(Phong { ior, .. }) | Self::Coated(Coated { ior, .. }) => Some(*ior),
+            Self::Phong(Phong { ior, .. })
+            | Self::Coated(Coated { ior, .. })
+            | Self::ThinDielectric(ThinDielectric { ior, .. }) => Some(*ior),
             Self::Dielectric(dielectric) => Some(dielectric.index.ior()),
             Self::Conductor(_) | Self::Mirror(_) | Self::Matte(_) => None,
         }
@@ -199,8 +223,29 @@ impl Material {
         match self {
             Self::Phong(Phong { ior, .. })
             | Self::Coated(Coated { ior, .. })
+            | Self::ThinDielectric(ThinDielectric { ior, .. })
             | Self::Dielectric(Dielectric { index: RefractiveIndex::Own { ior, .. }, .. }) => Some(ior),
             Self::Dielectric(_) | Self::Conductor(_) | Self::Mirror(_) | Self::Matte(_) => None,
+        }
+    }
+
+    /// The tint τ of light that passes, where the model has one.
+    pub const fn tint(&self) -> Option<Color> {
+        match *self {
+            Self::Phong(Phong { tint, .. }) | Self::ThinDielectric(ThinDielectric { tint, .. }) => Some(tint),
+            Self::Dielectric(_) | Self::Conductor(_) | Self::Mirror(_) | Self::Matte(_) | Self::Coated(_) => {
+                None
+            }
+        }
+    }
+
+    /// The tint τ of light that passes, to be changed.
+    pub const fn tint_mut(&mut self) -> Option<&mut Color> {
+        match self {
+            Self::Phong(Phong { tint, .. }) | Self::ThinDielectric(ThinDielectric { tint, .. }) => Some(tint),
+            Self::Dielectric(_) | Self::Conductor(_) | Self::Mirror(_) | Self::Matte(_) | Self::Coated(_) => {
+                None
+            }
         }
     }
 
@@ -211,7 +256,7 @@ impl Material {
             | Self::Conductor(Conductor { roughness, .. })
             | Self::Mirror(Mirror { roughness, .. })
             | Self::Coated(Coated { roughness, .. }) => Some(roughness),
-            Self::Phong(_) | Self::Matte(_) => None,
+            Self::Phong(_) | Self::Matte(_) | Self::ThinDielectric(_) => None,
         }
     }
 
@@ -222,7 +267,7 @@ impl Material {
             | Self::Conductor(Conductor { roughness, .. })
             | Self::Mirror(Mirror { roughness, .. })
             | Self::Coated(Coated { roughness, .. }) => Some(roughness),
-            Self::Phong(_) | Self::Matte(_) => None,
+            Self::Phong(_) | Self::Matte(_) | Self::ThinDielectric(_) => None,
         }
     }
 
@@ -234,6 +279,7 @@ impl Material {
             | Self::Matte(Matte { pattern, .. })
             | Self::Coated(Coated { pattern, .. }) => pattern.mean(),
             Self::Dielectric(dielectric) => dielectric.attenuation.color,
+            Self::ThinDielectric(sheet) => sheet.tint,
             Self::Conductor(conductor) => conductor.metal.color(),
         }
     }
@@ -247,6 +293,7 @@ impl Material {
             Self::Mirror(mirror) => mirror.reflects(),
             Self::Matte(_) => Share::always(0.0),
             Self::Coated(coated) => coated.reflects(),
+            Self::ThinDielectric(sheet) => sheet.reflects(),
         }
     }
 
@@ -255,6 +302,7 @@ impl Material {
         match self {
             Self::Phong(phong) => phong.lets_through(),
             Self::Dielectric(dielectric) => dielectric.lets_through(),
+            Self::ThinDielectric(sheet) => sheet.lets_through(),
             Self::Conductor(_) | Self::Mirror(_) | Self::Matte(_) | Self::Coated(_) => Share::always(0.0),
         }
     }
@@ -274,7 +322,12 @@ impl Material {
     pub fn dispersion(&self) -> Option<Dispersion> {
         match self {
             Self::Dielectric(dielectric) => dielectric.dispersion(),
-            Self::Phong(_) | Self::Conductor(_) | Self::Mirror(_) | Self::Matte(_) | Self::Coated(_) => None,
+            Self::Phong(_)
+            | Self::Conductor(_)
+            | Self::Mirror(_)
+            | Self::Matte(_)
+            | Self::Coated(_)
+            | Self::ThinDielectric(_) => None,
         }
     }
 }
@@ -295,6 +348,7 @@ impl From<Model> for Material {
             Model::Mirror => Mirror::default().into(),
             Model::Matte => Matte::default().into(),
             Model::Coated => Coated::default().into(),
+            Model::ThinDielectric => ThinDielectric::default().into(),
         }
     }
 }
@@ -326,6 +380,12 @@ impl From<Mirror> for Material {
 impl From<Matte> for Material {
     fn from(matte: Matte) -> Self {
         Self::Matte(matte)
+    }
+}
+
+impl From<ThinDielectric> for Material {
+    fn from(sheet: ThinDielectric) -> Self {
+        Self::ThinDielectric(sheet)
     }
 }
 

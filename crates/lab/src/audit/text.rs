@@ -272,6 +272,9 @@ impl AuditText<'_> {
                 format!(" by Fresnel for metals at {}", degrees(angle))
             }
             (ReflectionModel::Coat, Some(angle)) => format!(" by Fresnel for the coat at {}", degrees(angle)),
+            (ReflectionModel::ThinDielectric, Some(angle)) => {
+                format!(" by Fresnel for both faces of the sheet at {}", degrees(angle))
+            }
         };
         let reflected = self.branch(&format!("reflected{by}"), answer.reflected);
         self.line("goes on", &reflected);

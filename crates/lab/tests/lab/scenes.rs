@@ -4,7 +4,7 @@ use catoptric_optics::{CLEAR, METALS};
 use catoptric_scene::{
     Anchor, Attenuation, Body, Camera, Checker, Coated, Color, Conductor, Dielectric, Falloff, Light,
     Material, MaterialChoice, Matte, MetalOptics, Mirror, Model, Pattern, Phong, Placement, Projection,
-    RefractiveIndex, Scene, Shape, Tracing,
+    RefractiveIndex, Scene, Shape, ThinDielectric, Tracing,
 };
 use glam::DVec3;
 use proptest::prelude::*;
@@ -145,6 +145,7 @@ fn physical() -> impl Strategy<Value = Material> {
             Model::Conductor => Conductor { metal: MetalOptics::Metal(metal), roughness }.into(),
             Model::Mirror => Mirror { pattern: color.into(), roughness, ..Mirror::default() }.into(),
             Model::Coated => Coated { pattern: color.into(), ior, roughness, ..Coated::default() }.into(),
+            Model::ThinDielectric => ThinDielectric { ior, tint: color }.into(),
             Model::Phong | Model::Matte => Matte { pattern: color.into(), ..Matte::default() }.into(),
         },
     )

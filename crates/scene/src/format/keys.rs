@@ -181,10 +181,10 @@ pub static MATERIAL: TableSpec = TableSpec {
             "the index of refraction relative to air",
         )
         .or(Default::Number(RefractiveIndex::DEFAULT_IOR))
-        .only("model", &["phong", "dielectric", "coated"]),
+        .only("model", &["phong", "dielectric", "coated", "thin-dielectric"]),
         KeySpec::new("tint", Kind::Color(Limits::AMOUNT), "the tint of transmitted light")
             .or(color(Phong::DEFAULT.tint))
-            .only("model", PHONG),
+            .only("model", &["phong", "thin-dielectric"]),
         KeySpec::new("substance", Kind::Choice(&SUBSTANCE_NAMES), "what a clear body is made of")
             .only("model", DIELECTRIC)
             .excluding(&["ior", "abbe"]),

@@ -7,7 +7,7 @@ use crate::format::record::{Datum, Record, picture};
 use crate::format::typed::Fields;
 use crate::material::{
     Attenuation, Checker, CheckerSpace, Coated, Conductor, Dielectric, Material, Matte, MetalOptics, Mirror,
-    Model, Pattern, Phong, RefractiveIndex,
+    Model, Pattern, Phong, RefractiveIndex, ThinDielectric,
 };
 
 /// Reads a material but for its checker, which is a table of its own.
@@ -20,6 +20,7 @@ pub(crate) fn read(fields: &mut Fields<'_, '_, '_>) -> Material {
         Model::Mirror => read_mirror(fields).into(),
         Model::Matte => read_matte(fields).into(),
         Model::Coated => read_coated(fields).into(),
+        Model::ThinDielectric => read_thin_dielectric(fields).into(),
     };
     fields.check_inapplicable("model", model.key());
     material
@@ -35,6 +36,7 @@ pub(crate) fn record(material: &Material) -> Record<'_> {
         Material::Mirror(mirror) => record_mirror(record, mirror),
         Material::Matte(matte) => record_matte(record, matte),
         Material::Coated(coated) => record_coated(record, coated),
+        Material::ThinDielectric(sheet) => record_thin_dielectric(record, sheet),
     }
 }
 
@@ -153,6 +155,19 @@ fn read_matte(fields: &mut Fields<'_, '_, '_>) -> Matte {
 fn record_matte<'a>(record: Record<'a>, matte: &'a Matte) -> Record<'a> {
     let Matte { pattern, ambient } = matte;
     record_details(record.color("color", pattern.color).number("ambient", *ambient), pattern)
+}
+
+fn read_thin_dielectric(fields: &mut Fields<'_, '_, '_>) -> ThinDielectric {
+    let default = ThinDielectric::DEFAULT;
+    ThinDielectric {
+        ior: fields.number("ior").unwrap_or(default.ior),
+        tint: fields.color("tint").unwrap_or(default.tint),
+    }
+}
+
+fn record_thin_dielectric<'a>(record: Record<'a>, sheet: &ThinDielectric) -> Record<'a> {
+    let ThinDielectric { ior, tint } = *sheet;
+    record.number("ior", ior).color("tint", tint)
 }
 
 fn read_coated(fields: &mut Fields<'_, '_, '_>) -> Coated {

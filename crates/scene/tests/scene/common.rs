@@ -5,7 +5,7 @@ use catoptric_scene::{
     Anchor, Attenuation, Body, Camera, Checker, CheckerSpace, Coated, Color, Conductor, Dielectric,
     Environment, Falloff, Image, ImageSource, Light, Material, MaterialChoice, Matte, MetalOptics, Mirror,
     Model, NamedMaterial, Pattern, Phong, Placement, Projection, RefractiveIndex, Scene, Shape, Sky,
-    Surroundings, Tracing,
+    Surroundings, ThinDielectric, Tracing,
 };
 use glam::DVec3;
 use proptest::prelude::*;
@@ -129,6 +129,10 @@ fn coated() -> impl Strategy<Value = Material> {
         .prop_map(|(pattern, ambient, ior, roughness)| Coated { pattern, ambient, ior, roughness }.into())
 }
 
+fn thin_dielectric() -> impl Strategy<Value = Material> {
+    (ior(), color()).prop_map(|(ior, tint)| ThinDielectric { ior, tint }.into())
+}
+
 pub(crate) fn material() -> impl Strategy<Value = Material> {
     let of_model = |model| match model {
         Model::Phong => phong().boxed(),
@@ -137,6 +141,7 @@ pub(crate) fn material() -> impl Strategy<Value = Material> {
         Model::Mirror => mirror().boxed(),
         Model::Matte => matte().boxed(),
         Model::Coated => coated().boxed(),
+        Model::ThinDielectric => thin_dielectric().boxed(),
     };
     // On the heap: what many of them make is more than a thread's stack holds.
     let default = Just(Material::default()).boxed();

@@ -181,7 +181,10 @@ impl AuditLineWriter<'_> {
         match answer.law {
             ReflectionModel::Constant => terms.push(ambient.formula("k_a C I_a", numbers)),
             ReflectionModel::Coat => terms.push(ambient.words(texts.get("audit-through-coat").to_owned())),
-            ReflectionModel::Mirror | ReflectionModel::Dielectric | ReflectionModel::Conductor => {}
+            ReflectionModel::Mirror
+            | ReflectionModel::Dielectric
+            | ReflectionModel::Conductor
+            | ReflectionModel::ThinDielectric => {}
         }
         for light in &answer.lights {
             self.light(terms, light, answer);
@@ -193,6 +196,7 @@ impl AuditLineWriter<'_> {
             ReflectionModel::Dielectric | ReflectionModel::Conductor | ReflectionModel::Coat => {
                 ["R(θ)", "1 − R(θ)"]
             }
+            ReflectionModel::ThinDielectric => ["R(θ)", "(1 − R(θ)) τ"],
         };
         terms.push(self.branch(AuditTerm::Reflected, "audit-reflected", reflected, answer.reflected));
         if answer.interface.is_some() {

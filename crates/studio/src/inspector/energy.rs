@@ -37,7 +37,11 @@ fn told(texts: &Texts, material: &Material, kind: ExcessKind, amount: &str) -> (
             ("energy-mirror", format!("{} · {} = {amount}", shown(texts, share, 3), shown(texts, color, 3)))
         }
         Material::Matte(_) => ("energy-matte", amount.to_owned()),
-        Material::Phong(_) | Material::Dielectric(_) | Material::Conductor(_) | Material::Coated(_) => {
+        Material::Phong(_)
+        | Material::Dielectric(_)
+        | Material::Conductor(_)
+        | Material::Coated(_)
+        | Material::ThinDielectric(_) => {
             let parts = [diffuse, reflection, transmission].map(|part| shown(texts, part, 3));
             ("energy-warning", format!("{} = {amount}", parts.join(" + ")))
         }

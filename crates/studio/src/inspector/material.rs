@@ -120,10 +120,14 @@ pub(super) static IOR: NumberRow<Material> = NumberRow::<Material>::new(
     },
 );
 
-static TINT: ColorRow<Material> = ColorRow {
+pub(super) static TINT: ColorRow<Material> = ColorRow {
     what: coefficient("tint", "edit-tint", "tint", Symbol::Tint),
-    get: |material| material.as_phong().map(|phong| phong.tint),
-    set: |material, color| edit_phong(material, |phong| phong.tint = color),
+    get: Material::tint,
+    set: |material, color| {
+        if let Some(tint) = material.tint_mut() {
+            *tint = color;
+        }
+    },
 };
 
 fn edit_phong(material: &mut Material, edit: impl FnOnce(&mut Phong)) {

@@ -6,7 +6,7 @@ use catoptric_scene::{Conductor, Dielectric, Material, MetalOptics, Model, Refra
 use egui::{ComboBox, Ui};
 use glam::DVec3;
 
-use super::material::{IOR, REFLECTION};
+use super::material::{IOR, REFLECTION, TINT};
 use super::sheet::{
     ColorRow, NumberRow, PropertySheet, RowQuantity, SliderRail, Unit, VectorRow, VectorSpread,
 };
@@ -106,6 +106,7 @@ const fn model_key(model: Model) -> &'static str {
         Model::Mirror => "model-mirror",
         Model::Matte => "model-matte",
         Model::Coated => "model-coated",
+        Model::ThinDielectric => "model-thin-dielectric",
     }
 }
 
@@ -150,6 +151,10 @@ pub(super) fn rows_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>) 
         }
         Material::Mirror(_) => sheet.number_or(ui, &REFLECTION, Some(1.0)),
         Material::Coated(_) => sheet.number(ui, &IOR, None),
+        Material::ThinDielectric(_) => {
+            sheet.number(ui, &IOR, None);
+            sheet.color(ui, &TINT);
+        }
         Material::Phong(_) | Material::Matte(_) => {}
     }
     sheet.number(ui, &ROUGHNESS, None);

@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 use catoptric_optics::{CLEAR, ClearSubstance, METALS, Metal};
 use catoptric_scene::{
     Attenuation, Coated, Color, Conductor, Dielectric, Material, Matte, MetalOptics, Mirror, Phong,
-    RefractiveIndex,
+    RefractiveIndex, ThinDielectric,
 };
 
 use super::MaterialSection;
@@ -84,18 +84,20 @@ fn of_substance(substance: &'static ClearSubstance, roughness: f64) -> Material 
     Dielectric { index: RefractiveIndex::Substance(substance), roughness, ..Dielectric::default() }.into()
 }
 
-/// Glass that absorbs light, in colors that a body of a meter shows well.
+/// Glass that absorbs light, in colors that a body of a meter shows well, and thin glass.
 fn clear_colored() -> impl Iterator<Item = MaterialPreset> {
     let all = [
         ("preset-bottle-glass", [0.25, 0.62, 0.30]),
         ("preset-cobalt-glass", [0.12, 0.25, 0.80]),
         ("preset-ruby-glass", [0.72, 0.04, 0.07]),
     ];
-    all.into_iter().map(|(key, [r, g, b])| {
+    let colored = all.into_iter().map(|(key, [r, g, b])| {
         let attenuation = Attenuation { color: Color::new(r, g, b), ..Attenuation::default() };
         let glass = Dielectric { index: 1.52.into(), attenuation, ..Dielectric::default() };
         tipped(MaterialSection::Clear, key, glass)
-    })
+    });
+    let pane = ThinDielectric { ior: 1.52, ..ThinDielectric::default() };
+    colored.chain(std::iter::once(tipped(MaterialSection::Clear, "preset-window-pane", pane)))
 }
 
 fn coats() -> impl Iterator<Item = MaterialPreset> {

@@ -16,6 +16,7 @@ use crate::transport::spectrum::SampledWavelengths;
 use crate::transport::surface::material::RenderMaterial;
 use crate::transport::surface::model::MaterialModel;
 use crate::transport::surface::model::conductor::{ConductorTable, STEPS as CURVE_STEPS};
+use crate::transport::surface::model::thin_dielectric::ThinDielectricMaterial;
 
 /// The constants of shaders for such scenes.
 pub(crate) fn constants(special: &ShaderSpecialization) -> ShaderConstants {
@@ -34,6 +35,7 @@ pub(crate) fn constants(special: &ShaderSpecialization) -> ShaderConstants {
             ("LAW_DIELECTRIC", DIELECTRIC),
             ("LAW_CONDUCTOR", CONDUCTOR),
             ("LAW_COAT", COAT),
+            ("LAW_THIN_DIELECTRIC", THIN_DIELECTRIC),
         ],
         numbers: vec![("INDEX_START", *observer::VISIBLE.start() as f32), ("INDEX_RATE", INDEX_RATE as f32)],
         flags: vec![
@@ -55,6 +57,7 @@ const MIRROR: u32 = 1;
 const DIELECTRIC: u32 = 2;
 const CONDUCTOR: u32 = 3;
 const COAT: u32 = 4;
+const THIN_DIELECTRIC: u32 = 5;
 
 /// Indices of refraction to a nanometer. Between them straight lines are off by less than 10⁻⁶ for glass.
 const INDEX_RATE: f64 = 2.0;
@@ -140,6 +143,9 @@ fn rows_of(material: &RenderMaterial, tables: &mut MaterialRowTables) -> [Materi
         MaterialModel::Dielectric => (DIELECTRIC, NO_ROWS, [0.0; 4]),
         MaterialModel::Conductor(curve) => (CONDUCTOR, tables.curve(curve), [0.0; 4]),
         MaterialModel::Coat(coat) => (COAT, NO_ROWS, [coat.ratio, coat.spread, coat.lets_out, coat.lets_in]),
+        MaterialModel::ThinDielectric(ThinDielectricMaterial { ratio, tint: [red, green, blue] }) => {
+            (THIN_DIELECTRIC, NO_ROWS, [*ratio, *red, *green, *blue])
+        }
     };
     let indices = dispersion.map_or(NO_ROWS, |dispersion| tables.indices(dispersion));
     let color = texture.as_ref().map_or(color, |texture| tables.pictures.in_place_of_color(texture));

@@ -47,6 +47,16 @@ pub fn refract<R: Float32>(direction: Vector<R>, normal: Vector<R>, ratio: R) ->
 #[inline(always)]
 pub(crate) fn fresnel<R: Float32>(cos: R, ratio: R) -> R {
     let (zero, one) = (cos.like(0.0), cos.like(1.0));
+    let ([across, along], is_total) = fresnel_polarized(cos, ratio);
+    let share = ((across + along) * 0.5).min(one);
+    R::select(ratio.eq(one), zero, R::select(is_total, one, share))
+}
+
+/// The shares of [`fresnel`] of light that swings across (s) and along (p) the plane of incidence, and where reflection is
+/// total instead. At equal indices they are not exactly 0.
+#[inline(always)]
+pub(crate) fn fresnel_polarized<R: Float32>(cos: R, ratio: R) -> ([R; 2], R::Mask) {
+    let (zero, one) = (cos.like(0.0), cos.like(1.0));
     // 1 - ratio²·sin², without a difference of near numbers where the indices are nearly equal.
     let cos_out_squared = (one - ratio) * (one + ratio) + ratio * ratio * cos * cos;
     let cos_out = cos_out_squared.max(zero).sqrt();
@@ -54,9 +64,7 @@ pub(crate) fn fresnel<R: Float32>(cos: R, ratio: R) -> R {
     let least = cos.like(f32::MIN_POSITIVE);
     let across = (ratio * cos - cos_out) / (ratio * cos + cos_out).max(least);
     let along = (cos - ratio * cos_out) / (cos + ratio * cos_out).max(least);
-    let share = ((across * across + along * along) * 0.5).min(one);
-    let is_total = cos_out_squared.lt(zero) | cos.le(zero);
-    R::select(ratio.eq(one), zero, R::select(is_total, one, share))
+    ([across * across, along * along], cos_out_squared.lt(zero) | cos.le(zero))
 }
 
 /// The share (Ŝ·R̂)⁺ⁿ of Phong's highlight (Phong 1975), with R̂ the direction to the light mirrored about the normal

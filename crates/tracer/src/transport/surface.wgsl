@@ -30,15 +30,21 @@ fn fresnel(cos: f32, ratio: f32) -> f32 {
     if ratio == 1.0 {
         return 0.0;
     }
+    let shares = fresnel_polarized(cos, ratio);
+    return min((shares.x + shares.y) * 0.5, 1.0);
+}
+
+// Its shares of light that swings across and along the plane of incidence; both are 1 at total reflection.
+fn fresnel_polarized(cos: f32, ratio: f32) -> vec2<f32> {
     // 1 - ratio²·sin², without a difference of near numbers where the indices are nearly equal.
     let cos_out_squared = (1.0 - ratio) * (1.0 + ratio) + ratio * ratio * cos * cos;
     if cos_out_squared < 0.0 || cos <= 0.0 {
-        return 1.0;
+        return vec2(1.0);
     }
     let cos_out = sqrt(cos_out_squared);
     let across = (ratio * cos - cos_out) / max(ratio * cos + cos_out, LEAST_NORMAL);
     let along = (cos - ratio * cos_out) / max(cos + ratio * cos_out, LEAST_NORMAL);
-    return min((across * across + along * along) * 0.5, 1.0);
+    return vec2(across * across, along * along);
 }
 
 // e⁻³⁰ of the brightest light that a scene may have is nothing in single precision.

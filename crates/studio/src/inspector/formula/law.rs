@@ -1,7 +1,7 @@
 //! The laws of surfaces that are not Phong's, in symbols and in numbers.
 
 use catoptric_optics::{Metal, fresnel, observer};
-use catoptric_scene::{Coated, Conductor, Dielectric, Material, MetalOptics, Mirror};
+use catoptric_scene::{Coated, Conductor, Dielectric, Material, MetalOptics, Mirror, ThinDielectric};
 use egui::{Id, Ui};
 
 use super::{FormulaFactor, FormulaRow, color_text, rows_ui};
@@ -26,6 +26,7 @@ pub(in crate::inspector) fn law_ui(
         Material::Mirror(mirror) => lines.mirror(mirror),
         Material::Matte(_) => lines.matte(),
         Material::Coated(coated) => lines.coated(coated),
+        Material::ThinDielectric(sheet) => lines.thin_dielectric(sheet),
     }
     rows_ui(ui, texts, memory, Id::unique("formula-law"), &lines.rows);
     if let Material::Conductor(Conductor { metal: MetalOptics::Metal(metal), .. }) = material {
@@ -123,6 +124,25 @@ impl LawLines<'_> {
             let markup = format!("T(d) = {color}^{{d/{}}}", shown(self.texts, attenuation.distance, 3));
             self.numbers("in-formula-loss", vec![FormulaFactor::sign(&markup)]);
         }
+    }
+
+    fn thin_dielectric(&mut self, sheet: &ThinDielectric) {
+        let refracted = FormulaFactor::text(Symbol::Refracted, self.texts.get("in-formula-refracted"));
+        let sum = vec![
+            FormulaFactor::sign("I = R(θ) "),
+            self.reflected(),
+            FormulaFactor::sign(" + (1 − R(θ)) "),
+            FormulaFactor::symbol(Symbol::Tint),
+            FormulaFactor::sign(" "),
+            refracted,
+        ];
+        self.symbols("in-formula-sum", sum);
+        let straight = "R(0) = (η − 1)^2/(η^2 + 1)";
+        self.symbols("in-formula-straight", vec![FormulaFactor::sign(straight)]);
+        let index = shown(self.texts, sheet.ior, 3);
+        let share = shown(self.texts, fresnel::sheet(1.0, sheet.ior).mean(), 4);
+        let markup = format!("({index} − 1)^2/({index}^2 + 1) = {share}");
+        self.numbers("in-formula-straight", vec![FormulaFactor::sign(&markup)]);
     }
 
     /// R(0) of a clear surface.

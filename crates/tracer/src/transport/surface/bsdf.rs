@@ -169,12 +169,12 @@ impl<W: Width> Bsdf<W> {
             self.scatters = self.scatters | lanes;
         }
         self.reflection = real(material.reflection, self.reflection);
-        if FULL && !matches!(material.law, MaterialModel::Constant) {
-            self.add_lobes(w, material, colors, scene.ambient, direction, lanes);
-        }
         if body.is_transparent() {
             self.transparent = self.transparent | lanes;
             self.filter = select(Vector::splat(w.real(0.0), material.filter), self.filter);
+        }
+        if FULL && !matches!(material.law, MaterialModel::Constant) {
+            self.add_lobes(w, material, colors, scene.ambient, direction, lanes);
         }
     }
 

@@ -23,7 +23,15 @@ fn add_lobes(at: ptr<function, SurfaceInteraction>, color: vec3<f32>, direction:
         let below = ground * again * ((1.0 - share) * coat.spread);
         (*at).diffuse = below;
         (*at).ambient = below * (frame.ambient * (*at).material.ambient * coat.lets_in);
+    } else if law == LAW_THIN_DIELECTRIC {
+        (*at).reflected = vec3(sheet_reflectance((*at).material, cos_to(at, direction)));
     }
+}
+
+// What a thin sheet reflects under an angle of this cosine; of its numbers the first is the ratio of indices.
+fn sheet_reflectance(material: Material, cos: f32) -> f32 {
+    let once = fresnel_polarized(cos, material.coat.ratio);
+    return min(once.x / (1.0 + once.x) + once.y / (1.0 + once.y), 1.0);
 }
 
 // What is reflected under another angle: the normal of a rough surface was turned.

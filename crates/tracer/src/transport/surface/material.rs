@@ -7,7 +7,7 @@ use std::hash::{Hash, Hasher};
 use catoptric_optics::{Dispersion, fresnel};
 use catoptric_scene::{
     Attenuation, Coated, Conductor, Dielectric, Image, Material, MaterialChoice, Matte, MetalOptics, Mirror,
-    Pattern, Phong, Scene,
+    Pattern, Phong, Scene, ThinDielectric,
 };
 
 use crate::geometry::body::RenderBody;
@@ -18,6 +18,7 @@ use crate::transport::surface::exponential;
 use crate::transport::surface::model::MaterialModel;
 use crate::transport::surface::model::coated::CoatedMaterial;
 use crate::transport::surface::model::conductor::ConductorTable;
+use crate::transport::surface::model::thin_dielectric::ThinDielectricMaterial;
 use crate::transport::texture::ImageTexture;
 
 /// Coefficients of a surface, in single precision.
@@ -67,6 +68,7 @@ impl RenderMaterial {
                 Self { ambient: *ambient as f32, diffuse: 1.0, ..Self::black(pattern) }
             }
             Material::Coated(coated) => Self::coated(coated),
+            Material::ThinDielectric(sheet) => Self::thin_dielectric(sheet),
         }
     }
 
@@ -137,6 +139,17 @@ impl RenderMaterial {
             law: MaterialModel::Coat(CoatedMaterial::new(coated.ior)),
             alpha: alpha(coated.roughness),
             ..Self::black(&coated.pattern)
+        }
+    }
+
+    fn thin_dielectric(sheet: &ThinDielectric) -> Self {
+        let reflection = fresnel::sheet(1.0, sheet.ior).mean() as f32;
+        let tint = linear_rgb(sheet.tint);
+        Self {
+            reflection,
+            filter: tint.map(|tint| tint * (1.0 - reflection)),
+            law: MaterialModel::ThinDielectric(ThinDielectricMaterial::new(sheet.ior, tint)),
+            ..Self::black(&Pattern::default())
         }
     }
 
@@ -326,6 +339,10 @@ impl Hash for MaterialKey<'_> {
             Material::Matte(Matte { pattern, ambient }) => {
                 hash_pattern(pattern, state);
                 hash_numbers(&[*ambient], state);
+            }
+            Material::ThinDielectric(ThinDielectric { ior, tint }) => {
+                hash_numbers(&[*ior], state);
+                hash_numbers(&tint.to_array(), state);
             }
             Material::Coated(Coated { pattern, ambient, ior, roughness }) => {
                 hash_pattern(pattern, state);

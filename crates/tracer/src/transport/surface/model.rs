@@ -2,6 +2,7 @@
 
 pub(crate) mod coated;
 pub(crate) mod conductor;
+pub(crate) mod thin_dielectric;
 
 use std::sync::Arc;
 
@@ -10,6 +11,7 @@ use crate::transport::surface::bsdf::{Bsdf, SurfaceColors};
 use crate::transport::surface::material::RenderMaterial;
 use crate::transport::surface::model::coated::CoatedMaterial;
 use crate::transport::surface::model::conductor::ConductorTable;
+use crate::transport::surface::model::thin_dielectric::ThinDielectricMaterial;
 
 /// How much a surface reflects under which angle.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,6 +26,8 @@ pub(crate) enum MaterialModel {
     Conductor(Arc<ConductorTable>),
     /// By Fresnel's formulas, out of air; the rest is scattered below.
     Coat(CoatedMaterial),
+    /// By Fresnel's formulas at both faces of a thin sheet; the rest goes straight on.
+    ThinDielectric(ThinDielectricMaterial),
 }
 
 impl MaterialModel {
@@ -35,6 +39,7 @@ impl MaterialModel {
             Self::Dielectric => ReflectionModel::Dielectric,
             Self::Conductor(_) => ReflectionModel::Conductor,
             Self::Coat(_) => ReflectionModel::Coat,
+            Self::ThinDielectric(_) => ReflectionModel::ThinDielectric,
         }
     }
 
@@ -63,6 +68,7 @@ impl MaterialModel {
                 let even = ambient.map(|light| light * material.ambient);
                 coat.add_lobes(w, bsdf, colors, even, cos, lanes);
             }
+            Self::ThinDielectric(sheet) => sheet.add_lobes(w, bsdf, cos, lanes),
         }
     }
 }
@@ -80,6 +86,8 @@ pub enum ReflectionModel {
     Conductor,
     /// Fresnel's formulas for a clear coat; the rest is scattered below it.
     Coat,
+    /// Fresnel's formulas for both faces of a thin sheet; the rest goes straight on.
+    ThinDielectric,
 }
 
 impl ReflectionModel {
@@ -91,6 +99,7 @@ impl ReflectionModel {
             Self::Dielectric => "dielectric",
             Self::Conductor => "conductor",
             Self::Coat => "coat",
+            Self::ThinDielectric => "thin-dielectric",
         }
     }
 

@@ -5,15 +5,15 @@ use std::sync::atomic::AtomicBool;
 use catoptric_optics::{METALS, Metal, fresnel};
 use catoptric_scene::{
     Attenuation, Body, Checker, Coated, Color, Conductor, Dielectric, Environment, Light, Material,
-    MetalOptics, Mirror, Model, Pattern, Phong, Scene, Shape,
+    MetalOptics, Mirror, Model, Pattern, Phong, Scene, Shape, ThinDielectric,
 };
-use catoptric_tracer::{BranchOutcome, RayRecord, WhittedIntegrator};
+use catoptric_tracer::{BranchOutcome, RayKind, RayRecord, WhittedIntegrator};
 use glam::{DVec3, UVec2, Vec3};
 use proptest::prelude::*;
 
 use crate::proof::common::{
-    assert_close, assert_same_picture, ball, block, body, camera, cases, center, glow, light_along, picture,
-    plane, ray, render_scene, scene, stage_of, tree, turned, v,
+    assert_close, assert_same_picture, assert_vec_close, ball, block, body, camera, cases, center, glow,
+    light_along, picture, plane, ray, render_scene, scene, stage_of, tree, turned, v,
 };
 
 fn clear(ior: f64) -> Dielectric {
@@ -200,6 +200,8 @@ fn bodies_that_lose_nothing_are_invisible_in_a_furnace() {
         clear(1.1).into(),
         clear(0.8).into(),
         conductor(0.001, 50.0),
+        Model::ThinDielectric.into(),
+        ThinDielectric { ior: 2.4, ..ThinDielectric::default() }.into(),
     ];
     for material in materials {
         let size = UVec2::new(120, 30);
@@ -217,6 +219,27 @@ fn bodies_that_lose_nothing_are_invisible_in_a_furnace() {
             }
         }
     }
+}
+
+/// Both faces of a sheet reflect, from either side; the rest goes on as it came.
+#[test]
+fn thin_sheets_reflect_twice_and_bend_nothing() {
+    let tint = Color::new(1.0, 0.5, 0.25);
+    for (ior, degrees) in [(1.5, 0.0), (1.5, 45.0), (1.5, 56.31), (1.5, 85.0), (2.4, 30.0), (1.33, 70.0)] {
+        for from_below in [false, true] {
+            let rays = on_a_floor(ThinDielectric { ior, tint }, degrees, from_below);
+            let answer = rays[0].answer.as_ref().unwrap();
+            let share = fresnel::sheet(degrees.to_radians().cos(), ior).mean();
+            assert_vec_close(answer.reflected.coefficient.as_dvec3(), DVec3::splat(share), 1e-5);
+            let passed = (1.0 - share) * DVec3::from_array(tint.to_array());
+            assert_vec_close(answer.refracted.coefficient.as_dvec3(), passed, 1e-5);
+            let through = rays.iter().find(|ray| ray.kind == RayKind::Refracted).unwrap();
+            assert_eq!(through.ray.direction, rays[0].ray.direction, "{degrees}° into {ior}");
+            assert_eq!(through.generation, rays[0].generation, "it is the same ray");
+        }
+    }
+    // 4 % at each face of glass, 1/13 of the sheet.
+    assert_close(fresnel::sheet(1.0, 1.5).mean(), 1.0 / 13.0, 1e-12);
 }
 
 /// What a coat lets in and out of even light is the same at every index: a white ground under it is invisible, too.

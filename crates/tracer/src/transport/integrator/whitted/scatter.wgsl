@@ -22,9 +22,13 @@ fn crossing(
     let bent = refract_through(direction, normal, ratio);
     var reflection = material.reflection;
     var filter_color: vec3<f32>;
+    let cos = clamp(-dot(normal, direction), 0.0, 1.0);
     if material.law == LAW_DIELECTRIC {
-        reflection = fresnel(clamp(-dot(normal, direction), 0.0, 1.0), ratio);
+        reflection = fresnel(cos, ratio);
         filter_color = vec3(1.0 - reflection);
+    } else if material.law == LAW_THIN_DIELECTRIC {
+        reflection = sheet_reflectance(material, cos);
+        filter_color = tint_of(material) * (1.0 - reflection);
     } else {
         filter_color = filter_of(body);
     }

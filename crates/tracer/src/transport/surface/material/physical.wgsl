@@ -30,6 +30,11 @@ struct Material {
     coat: CoatedMaterial,
 }
 
+// What is left of light that goes through a thin sheet, whose numbers stand in the place of a coat's.
+fn tint_of(material: Material) -> vec3<f32> {
+    return vec3(material.coat.spread, material.coat.lets_out, material.coat.lets_in);
+}
+
 @group(0) @binding(4) var<storage, read> materials: array<vec4<u32>>;
 
 fn row_of(row: u32) -> vec4<f32> {
