@@ -45,7 +45,8 @@ impl<W: Width> SurfaceInteraction<W> {
             let body = scene.geometry.body(index);
             let ground = Vector::splat(w.real(0.0), scene.material(body).color);
             let colors = SurfaceColors { color: white, ground };
-            bsdf.set_material::<true, false>(w, scene, body, colors, direction, same);
+            let material = (scene.material(body), scene.ambient);
+            bsdf.set_material::<true, false>(w, material, colors, direction, same);
         }
         Self { t: w.real(0.0), start, position, bsdf }
     }
@@ -118,7 +119,8 @@ impl<W: Width> SurfaceInteraction<W> {
         self.position = select(point.in_world, self.position);
         self.bsdf.normal = select(point.normal, self.bsdf.normal);
         let colors = SurfaceColors { color, ground: color };
-        self.bsdf.set_material::<FULL, FIRST>(w, scene, body, colors, rays.direction, lanes);
+        let lit = (material, scene.ambient);
+        self.bsdf.set_material::<FULL, FIRST>(w, lit, colors, rays.direction, lanes);
     }
 
     /// Rays from here to the side that the incoming rays came from.

@@ -27,6 +27,7 @@ use crate::transport::light::RenderLight;
 use crate::transport::scene::build::BodyBuild;
 use crate::transport::scene::log::EditLog;
 pub(crate) use crate::transport::scene::log::SceneChanges;
+use crate::transport::surface::bsdf::BodyMaterials;
 use crate::transport::surface::material::RenderMaterial;
 use crate::transport::texture::checker::CheckerTexture;
 
@@ -308,5 +309,11 @@ impl RenderScene {
 
     pub(crate) fn material(&self, body: &RenderBody) -> &RenderMaterial {
         &self.materials[body.material as usize]
+    }
+
+    /// The materials of bodies by their places.
+    #[inline(always)]
+    pub(crate) fn body_materials(&self) -> BodyMaterials<'_> {
+        BodyMaterials { geometry: &self.geometry, materials: &self.materials }
     }
 }

@@ -4,11 +4,10 @@
 //! surfaces reflect and refract along one direction each ([`BsdfDirac`]); rough ones along those of their facets, one of
 //! which a [sample](Bsdf::sample_facet) chooses.
 
-use crate::geometry::body::RenderBody;
+use crate::geometry::Geometry;
 use crate::simd::vector::Vector;
 use crate::simd::{Float as _, MOST_LANES, Mask as _, Width, Word as _};
 use crate::transport::sampling::Sample2D;
-use crate::transport::scene::RenderScene;
 use crate::transport::surface::material::RenderMaterial;
 use crate::transport::surface::microfacet::{
     facet_pdf, reflected_density, sample_visible_normal, smith_g1, transmitted_density,
@@ -96,6 +95,20 @@ pub(crate) struct Macrosurface<W: Width> {
     rough: W::M,
 }
 
+/// The materials of bodies by their places.
+#[derive(Clone, Copy)]
+pub(crate) struct BodyMaterials<'s> {
+    pub(crate) geometry: &'s Geometry,
+    pub(crate) materials: &'s [RenderMaterial],
+}
+
+impl<'s> BodyMaterials<'s> {
+    #[inline(always)]
+    fn of(self, body: u32) -> &'s RenderMaterial {
+        &self.materials[self.geometry.body(body).material as usize]
+    }
+}
+
 /// What a body's material finds at points of its surface.
 #[derive(Clone, Copy)]
 pub(crate) struct SurfaceColors<R> {
@@ -135,25 +148,23 @@ impl<W: Width> Bsdf<W> {
         }
     }
 
-    /// Takes up the material of a body that rays `lanes` met along `direction`. The `FIRST` body may write the numbers of
-    /// all rays; others write theirs even where they are 0.
+    /// Takes up the material of a body that rays `lanes` met along `direction`, in even light of the strength `ambient`. The
+    /// `FIRST` body may write the numbers of all rays; others write theirs even where they are 0.
     #[inline(always)]
     pub(crate) fn set_material<const FULL: bool, const FIRST: bool>(
         &mut self,
         w: W,
-        scene: &RenderScene,
-        body: &RenderBody,
+        (material, ambient): (&RenderMaterial, [f32; 3]),
         colors: SurfaceColors<W::R>,
         direction: Vector<W::R>,
         lanes: W::M,
     ) {
-        let material = scene.material(body);
         let select = |own: Vector<W::R>, old| if FIRST { own } else { Vector::select(lanes, own, old) };
         let real = |own: f32, old| if FIRST { w.real(own) } else { W::R::select(lanes, w.real(own), old) };
         let has = |coefficient: f32| coefficient != 0.0;
         if has(material.ambient) || !FIRST {
-            let ambient = scene.ambient.map(|light| light * material.ambient);
-            self.ambient = select(colors.color.times_all(ambient), self.ambient);
+            let even = ambient.map(|light| light * material.ambient);
+            self.ambient = select(colors.color.times_all(even), self.ambient);
         }
         if has(material.diffuse) || !FIRST {
             self.diffuse = select(colors.color * w.real(material.diffuse), self.diffuse);
@@ -169,12 +180,12 @@ impl<W: Width> Bsdf<W> {
             self.scatters = self.scatters | lanes;
         }
         self.reflection = real(material.reflection, self.reflection);
-        if body.is_transparent() {
+        if material.is_transparent() {
             self.transparent = self.transparent | lanes;
             self.filter = select(Vector::splat(w.real(0.0), material.filter), self.filter);
         }
         if FULL && !matches!(material.law, MaterialModel::Constant) {
-            self.add_lobes(w, material, colors, scene.ambient, direction, lanes);
+            self.add_lobes(w, material, colors, ambient, direction, lanes);
         }
     }
 
@@ -246,7 +257,7 @@ impl<W: Width> Bsdf<W> {
     pub(crate) fn eval<const FULL: bool>(
         &self,
         w: W,
-        scene: &RenderScene,
+        materials: BodyMaterials<'_>,
         to_viewer: Vector<W::R>,
         (to_light, cos): (Vector<W::R>, W::R),
         ratio: W::R,
@@ -261,7 +272,7 @@ impl<W: Width> Bsdf<W> {
             value.sum = value.sum.map(|diffuse| diffuse + value.highlight);
         }
         if FULL && self.rough.any() {
-            value.microfacets = self.eval_microfacets(w, scene, to_viewer, to_light, ratio);
+            value.microfacets = self.eval_microfacets(w, materials, to_viewer, to_light, ratio);
             value.sum = value.sum + value.microfacets;
         }
         value
@@ -284,7 +295,7 @@ impl<W: Width> Bsdf<W> {
     fn eval_microfacets(
         &self,
         w: W,
-        scene: &RenderScene,
+        materials: BodyMaterials<'_>,
         to_viewer: Vector<W::R>,
         to_light: Vector<W::R>,
         ratio: W::R,
@@ -294,7 +305,7 @@ impl<W: Width> Bsdf<W> {
             || {
                 let (zero, one) = (w.real(0.0), w.real(1.0));
                 let half = (to_viewer + to_light).normalize_or(self.normal);
-                let facets = self.turned(w, scene, half, -to_viewer);
+                let facets = self.turned(w, materials, half, -to_viewer);
                 let mut reflection = facets.reflection;
                 let dielectric = self.rough_dielectric();
                 if dielectric.any() {
@@ -322,7 +333,7 @@ impl<W: Width> Bsdf<W> {
     pub(crate) fn sample_facet(
         &self,
         w: W,
-        scene: &RenderScene,
+        materials: BodyMaterials<'_>,
         direction: Vector<W::R>,
         sample: &Sample2D<W>,
     ) -> (Self, Macrosurface<W>) {
@@ -332,7 +343,7 @@ impl<W: Width> Bsdf<W> {
                 let facet = sample_visible_normal(direction, self.normal, self.alpha, sample);
                 let normal = Vector::select(self.rough, facet, self.normal);
                 let macrosurface = Macrosurface { normal: self.normal, alpha: self.alpha, rough: self.rough };
-                (self.turned(w, scene, normal, direction), macrosurface)
+                (self.turned(w, materials, normal, direction), macrosurface)
             },
         )
     }
@@ -340,7 +351,13 @@ impl<W: Width> Bsdf<W> {
     /// These surfaces with other normals, where they are rough: what they reflect of rays along `direction` is that of
     /// another angle.
     #[inline(always)]
-    fn turned(&self, w: W, scene: &RenderScene, normal: Vector<W::R>, direction: Vector<W::R>) -> Self {
+    fn turned(
+        &self,
+        w: W,
+        materials: BodyMaterials<'_>,
+        normal: Vector<W::R>,
+        direction: Vector<W::R>,
+    ) -> Self {
         let mut turned = Self { normal, ..*self };
         let cos = turned.cos_to(direction);
         let coated = self.rough & self.coated;
@@ -356,7 +373,7 @@ impl<W: Width> Bsdf<W> {
                 let index = bodies[left.trailing_zeros() as usize % MOST_LANES];
                 let same = self.body.is(index) & tinted;
                 left &= !same.bits();
-                if let MaterialModel::Conductor(curve) = &scene.material(scene.geometry.body(index)).law {
+                if let MaterialModel::Conductor(curve) = &materials.of(index).law {
                     turned.tint = Vector::select(same, conductor::reflectances(w, curve, cos), turned.tint);
                 }
             }
@@ -429,6 +446,7 @@ mod tests {
     use catoptric_scene::Scene;
 
     use super::*;
+    use crate::RenderScene;
     use crate::simd::scalar::ScalarWidth;
 
     type Direction = Vector<f32>;
@@ -471,13 +489,14 @@ mod tests {
         const ROWS: u16 = 500;
         const COLUMNS: u16 = 500;
         let scene = RenderScene::build(&Scene::default()).unwrap();
+        let materials = scene.body_materials();
         let mut sum = 0.0;
         for row in 0..ROWS {
             for column in 0..COLUMNS {
                 let angle = (f32::from(column) + 0.5) * 2.0 * PI / f32::from(COLUMNS);
                 let second = (f32::from(row) + 0.5) / f32::from(ROWS);
                 let sample = Sample2D { cos: angle.cos(), sin: angle.sin(), second };
-                let (facet, macrosurface) = bsdf.sample_facet(ScalarWidth, &scene, -to_viewer, &sample);
+                let (facet, macrosurface) = bsdf.sample_facet(ScalarWidth, materials, -to_viewer, &sample);
                 sum += f64::from(value(&facet, &macrosurface));
             }
         }
@@ -493,6 +512,7 @@ mod tests {
     #[test]
     fn samples_of_rough_mirrors_have_their_density_and_bring_what_eval_says() {
         let scene = RenderScene::build(&Scene::default()).unwrap();
+        let materials = scene.body_materials();
         for (alpha, cos) in [(0.15, 0.9), (0.3, 0.5), (0.5, 1.0), (0.5, 0.3), (0.9, 0.7)] {
             let (bsdf, to_viewer) = (rough(alpha, false), direction(cos, 0.4));
             let surface: Macrosurface<ScalarWidth> = Macrosurface { normal: NORMAL, alpha, rough: true };
@@ -512,7 +532,7 @@ mod tests {
                 if flies { weight.x } else { 0.0 }
             });
             let sent = integral(false, |wi| {
-                bsdf.eval::<true>(ScalarWidth, &scene, to_viewer, (wi, wi.z), 1.0).sum.x / PI
+                bsdf.eval::<true>(ScalarWidth, materials, to_viewer, (wi, wi.z), 1.0).sum.x / PI
             });
             assert!(is_near(weight, sent), "α {alpha}, cos {cos}: {weight}, not {sent}");
             assert!(weight <= 1.0 + 1e-3, "no more than all is reflected");
@@ -522,6 +542,7 @@ mod tests {
     #[test]
     fn samples_through_rough_glass_have_their_density_and_bring_what_eval_says() {
         let scene = RenderScene::build(&Scene::default()).unwrap();
+        let materials = scene.body_materials();
         for (alpha, cos, ratio) in
             [(0.3, 0.8, 1.0 / 1.5), (0.5, 0.5, 1.0 / 1.33), (0.4, 0.9, 1.5), (0.6, 0.6, 1.2)]
         {
@@ -540,7 +561,7 @@ mod tests {
                 if flies && dirac.passes { weight.x } else { 0.0 }
             });
             let sent = integral(true, |wi| {
-                bsdf.eval::<true>(ScalarWidth, &scene, to_viewer, (wi, wi.z), ratio).sum.x / PI
+                bsdf.eval::<true>(ScalarWidth, materials, to_viewer, (wi, wi.z), ratio).sum.x / PI
             });
             assert!(is_near(weight, sent), "α {alpha}, cos {cos}, {ratio}: {weight}, not {sent}");
         }

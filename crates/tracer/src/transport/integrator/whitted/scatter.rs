@@ -48,7 +48,8 @@ impl WhittedIntegrator<'_> {
         let mut context = ScatterContext { at, bsdf: &at.bsdf, macrosurface: None, next, is_last: false };
         if FULL && at.bsdf.rough.any() {
             let sample = self.shading.facet_sample(w, paths, at);
-            let (turned, macrosurface) = at.bsdf.sample_facet(w, self.shading.scene, direction, &sample);
+            let (turned, macrosurface) =
+                at.bsdf.sample_facet(w, self.shading.scene.body_materials(), direction, &sample);
             facets = turned;
             (context.bsdf, context.macrosurface) = (&facets, Some(macrosurface));
         }
