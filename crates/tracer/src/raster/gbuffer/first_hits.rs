@@ -50,7 +50,13 @@ pub(crate) fn find_first_hits(
                 let [left, size] =
                     [UVec2::new(part.x as u32, part.y as u32), UVec2::new(width as u32, height as u32)];
                 let tile = TileRect::around(left, size, TILE);
-                scene.lanes.run_in_few(FirstHitKernel { shading, tile, part, frame, sample, texels, lit });
+                if scene.is_full {
+                    let kernel = FirstHitKernel::<true> { shading, tile, part, frame, sample, texels, lit };
+                    scene.lanes.run_in_few(kernel);
+                } else {
+                    let kernel = FirstHitKernel::<false> { shading, tile, part, frame, sample, texels, lit };
+                    scene.lanes.run_in_few(kernel);
+                }
             }
             control.add_pixels(place.pixels() as u64);
             shading.counts - before
@@ -60,8 +66,8 @@ pub(crate) fn find_first_hits(
     if control.is_cancelled() { Err(MethodError::Cancelled) } else { Ok(counts) }
 }
 
-/// One sample of some rows of a tile.
-struct FirstHitKernel<'k, 'a> {
+/// One sample of some rows of a tile. `FULL` stands where [`RenderScene::is_full`] may be true.
+struct FirstHitKernel<'k, 'a, const FULL: bool> {
     shading: &'k mut ShadingContext<'a>,
     tile: TileRect,
     /// The rows of the tile.
@@ -73,7 +79,7 @@ struct FirstHitKernel<'k, 'a> {
     lit: &'k mut [Vector<f32>],
 }
 
-impl SimdKernel for FirstHitKernel<'_, '_> {
+impl<const FULL: bool> SimdKernel for FirstHitKernel<'_, '_, FULL> {
     type Output = ();
 
     #[inline(always)]
@@ -98,7 +104,7 @@ impl SimdKernel for FirstHitKernel<'_, '_> {
                 let first = (row / height * across + left / width) * W::LANES;
                 paths.pixel = block.pixel.plus(w.word(first as u32));
                 shading.start_paths(w, &mut paths);
-                let found = FirstHitPacket::find(w, shading, &paths);
+                let found = FirstHitPacket::find::<FULL>(w, shading, &paths);
                 found.each_lane(shading.camera, paths.lanes.bits(), |lane, texel, light| {
                     let pixel = (top + lane / width) * frame.width + part.x + left + lane % width;
                     texels.get_mut(pixel).into_iter().for_each(|to| *to = texel);
@@ -122,7 +128,7 @@ struct FirstHitPacket<W: Width> {
 
 impl<W: Width> FirstHitPacket<W> {
     #[inline(always)]
-    fn find(w: W, shading: &mut ShadingContext<'_>, paths: &PathState<W>) -> Self {
+    fn find<const FULL: bool>(w: W, shading: &mut ShadingContext<'_>, paths: &PathState<W>) -> Self {
         let scene = shading.scene;
         let mut membership = std::mem::take(&mut shading.membership);
         shading.media.fill::<W>(&mut membership, paths.media, paths.lanes);
@@ -130,14 +136,18 @@ impl<W: Width> FirstHitPacket<W> {
         let hits = shading.closest_hit(w, paths, &from, &membership);
         let hit = hits.hit & paths.lanes;
         let direction = paths.rays.direction;
-        let background = scene.sky.light(w, direction, paths.lanes & !hit);
+        let background = if FULL {
+            scene.sky.light(w, direction, paths.lanes & !hit)
+        } else {
+            Vector::splat(w.real(0.0), scene.sky.even())
+        };
         let mut found =
             Self { hit, start: w.word(0), position: direction, normal: direction, light: background };
         if hit.any() {
             let hits = PacketHits { hit, ..hits };
-            let at = SurfaceInteraction::new::<true>(w, scene, &paths.rays, &hits);
+            let at = SurfaceInteraction::new::<FULL>(w, scene, &paths.rays, &hits);
             let light =
-                shading.direct_light::<W, true>(w, paths, &mut from, &membership, &at, &mut Unobserved);
+                shading.direct_light::<W, FULL>(w, paths, &mut from, &membership, &at, &mut Unobserved);
             found.start = at.start;
             found.position = at.position;
             found.normal = Vector::select(hit, at.bsdf.normal, direction);
