@@ -353,47 +353,17 @@ impl From<Model> for Material {
     }
 }
 
-impl From<Phong> for Material {
-    fn from(phong: Phong) -> Self {
-        Self::Phong(phong)
-    }
+macro_rules! models {
+    ($($model:ident),+) => {
+        $(impl From<$model> for Material {
+            fn from(model: $model) -> Self {
+                Self::$model(model)
+            }
+        })+
+    };
 }
 
-impl From<Dielectric> for Material {
-    fn from(dielectric: Dielectric) -> Self {
-        Self::Dielectric(dielectric)
-    }
-}
-
-impl From<Conductor> for Material {
-    fn from(conductor: Conductor) -> Self {
-        Self::Conductor(conductor)
-    }
-}
-
-impl From<Mirror> for Material {
-    fn from(mirror: Mirror) -> Self {
-        Self::Mirror(mirror)
-    }
-}
-
-impl From<Matte> for Material {
-    fn from(matte: Matte) -> Self {
-        Self::Matte(matte)
-    }
-}
-
-impl From<ThinDielectric> for Material {
-    fn from(sheet: ThinDielectric) -> Self {
-        Self::ThinDielectric(sheet)
-    }
-}
-
-impl From<Coated> for Material {
-    fn from(coated: Coated) -> Self {
-        Self::Coated(coated)
-    }
-}
+models!(Phong, Dielectric, Conductor, Mirror, Matte, Coated, ThinDielectric);
 
 /// The strongest channel of a color.
 fn largest(color: Color) -> f64 {

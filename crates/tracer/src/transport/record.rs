@@ -182,7 +182,7 @@ pub struct ShadowCrossing {
     pub filter: Option<Vec3>,
 }
 
-/// What a surface sends on of a light: `light` = `power` × (`diffuse` + `highlight` + `eval_microfacets`) × V, in this order.
+/// What a surface sends on of a light: `light` = `power` × (`diffuse` + `highlight` + `glints`) × V, in this order.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LightContribution {
     /// What the facets of a rough surface send on, for each unit of `power`.

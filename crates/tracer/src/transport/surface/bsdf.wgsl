@@ -35,7 +35,7 @@ fn sheet_reflectance(material: Material, cos: f32) -> f32 {
 }
 
 // What is reflected under another angle: the normal of a rough surface was turned.
-fn turn(at: ptr<function, SurfaceInteraction>, direction: vec3<f32>) {
+fn update_reflectance(at: ptr<function, SurfaceInteraction>, direction: vec3<f32>) {
     if (*at).material.law == LAW_COAT {
         (*at).reflected = vec3(fresnel(cos_to(at, direction), (*at).material.coat.ratio));
     } else if HAS_METALS && (*at).material.law == LAW_CONDUCTOR {
@@ -112,7 +112,7 @@ fn sample_facet(at: ptr<function, SurfaceInteraction>, direction: vec3<f32>, gen
     let ground = Macrosurface((*at).normal, (*at).material.alpha);
     let thrown = sample_2d(generation, (*at).body, FOR_FACET);
     (*at).normal = sample_visible_normal(direction, ground.normal, ground.alpha, thrown);
-    turn(at, direction);
+    update_reflectance(at, direction);
     return ground;
 }
 
@@ -129,7 +129,7 @@ fn eval_microfacets(
     let half = normalize_or(to_viewer + to_light, normal);
     var facet = *at;
     facet.normal = half;
-    turn(&facet, direction);
+    update_reflectance(&facet, direction);
     var reflected = facet.reflected;
     if is_dielectric(at) {
         var beyond = *media;
