@@ -93,6 +93,11 @@ impl Viewport {
         self.covered = self.rect.map(|whole| CoveredPicture::new(whole, shown, window));
     }
 
+    /// Fits the picture into what no panel covers.
+    pub(crate) fn fit(&mut self) {
+        self.covered = None;
+    }
+
     /// Ends all drags and key presses, since another document has come.
     pub(crate) fn begin_document(&mut self) {
         self.pointer_tool = PointerTool::default();

@@ -19,6 +19,7 @@ pub(crate) mod sample_sums;
 pub(crate) mod screen;
 pub(crate) mod settings;
 pub(crate) mod shaded;
+pub(crate) mod tile_sample;
 
 use std::time::Instant;
 

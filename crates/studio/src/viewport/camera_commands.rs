@@ -47,6 +47,8 @@ pub(crate) fn frame(studio: &mut Studio, all: bool) {
     let camera = studio.view.camera(scene);
     let camera = navigate::frame(&camera, ball.center, ball.radius, studio.settings.picture_aspect());
     set_camera(studio, "edit-frame", camera);
+    // What is brought into view must not lie under a panel.
+    studio.panes.viewport.fit();
 }
 
 /// Looks along an axis, in the free view: the scene's camera stays.

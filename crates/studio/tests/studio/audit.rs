@@ -241,6 +241,10 @@ fn a_pixel_at_the_lower_edge_stays_in_view() {
     assert!(seen.contains(at), "{at} in {seen}");
     assert_eq!(rect.size(), whole.size());
     assert_eq!(studio.audited_pixel().unwrap()[0], pixel);
+    // What is brought into view is not brought under the panel.
+    audit.run(Command::FrameAll);
+    let rect = audit.harness.state().viewport_rect().unwrap();
+    assert!(audit.is_panel_seen() && seen.contains_rect(rect), "{rect} in {seen}");
     // With the tool the panel goes, and comes again.
     audit.run(Command::Audit(AuditCommand::Tool));
     assert!(!audit.is_panel_seen());

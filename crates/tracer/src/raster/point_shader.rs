@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::geometry::body::SurfacePoint;
+use crate::geometry::body::{RenderBody, SurfacePoint};
 use crate::geometry::membership::{BodyMembership, MembershipSource as _};
 use crate::geometry::query::candidates::Candidates;
 use crate::geometry::query::{HitRecord, RayQuery, found_in};
@@ -179,8 +179,10 @@ impl PointShader<'_> {
         let mut paths = PathState { lanes, pixel: w.load_words(&pixels), ..PathState::from_eye(w) };
         paths.media = w.word(self.media);
         paths.rays.direction = direction;
-        let mut at =
-            SurfaceInteraction::at_points(w, self.shading.scene, start, (position, normal), direction, lanes);
+        let white = |_: &RenderBody, _| Vector::splat(w.real(0.0), [1.0; 3]);
+        let points = (position, normal);
+        let scene = self.shading.scene;
+        let mut at = SurfaceInteraction::at_points::<true>(w, scene, start, points, direction, lanes, white);
         if model == LightModel::Lambert {
             (at.bsdf.glossy, at.bsdf.rough) = (w.mask(0), w.mask(0));
         }
@@ -238,21 +240,25 @@ impl<W: Width> PathObserver<W> for SplitLight<W> {
 
 /// The color C of a body at a point of its surface.
 pub(crate) fn color_at(scene: &RenderScene, body: u32, point: &SurfacePoint<f32>) -> Vector<f32> {
-    color_of(scene, body, point.in_body, point.on_checker(scene.geometry.body(body)))
+    let body = scene.geometry.body(body);
+    colors_of(ScalarWidth, scene, body, (point.in_body, point.on_checker(body)), true)
 }
 
-/// The color C of a body at a point of its own frame, which its checkerboard sees as `on_checker`.
-pub(crate) fn color_of(
+/// The colors C of a body at points of its own frame, which its checkerboard sees as `on_checker`.
+#[inline(always)]
+pub(crate) fn colors_of<W: Width>(
+    w: W,
     scene: &RenderScene,
-    body: u32,
-    in_body: Vector<f32>,
-    on_checker: Vector<f32>,
-) -> Vector<f32> {
-    let body = scene.geometry.body(body);
-    let checker = scene.checkers.get(body.checker as usize).filter(|checker| checker.is_odd(on_checker));
-    match checker {
-        Some(checker) => Vector::splat(0.0, checker.color),
-        None => scene.material(body).color_at(ScalarWidth, body, in_body, true),
+    body: &RenderBody,
+    (in_body, on_checker): (Vector<W::R>, Vector<W::R>),
+    lanes: W::M,
+) -> Vector<W::R> {
+    let color = scene.material(body).color_at(w, body, in_body, lanes);
+    match scene.checkers.get(body.checker as usize) {
+        Some(checker) => {
+            Vector::select(checker.is_odd(on_checker), Vector::splat(w.real(0.0), checker.color), color)
+        }
+        None => color,
     }
 }
 

@@ -4,47 +4,61 @@
 //! Coordinates): what lies behind the eye drops out of the signs of the edge functions, so that no triangle is clipped and
 //! none is too near. Everything is computed in double precision at the sample's place, the very place that the tracer
 //! sends its ray through.
+//!
+//! What is found in a pixel is which triangle is nearest there (Burns, Hunt 2013, The Visibility Buffer); its values are
+//! interpolated afterwards, where it is seen.
 
 use std::ops::Range;
 
+use catoptric_picture::SizeError;
 use glam::{DVec2, DVec3};
 
 use crate::raster::projection::HomogeneousPoint;
 use crate::raster::sample_sums::FrameSize;
+use crate::simd::double::Float64;
 use crate::simd::vector::Vector;
+use crate::simd::{Float as _, MOST_LANES, Mask as _, Width};
+
+/// Pixels of a row that are looked at side by side.
+const RUN: usize = 8;
+
+/// Stands for "no triangle".
+pub(crate) const NO_TRIANGLE: u32 = u32::MAX;
 
 /// A corner of a face, with what is interpolated across the face.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TriangleCorner {
     pub(crate) seen: HomogeneousPoint,
-    /// The point in the body's frame, for the checkerboard.
-    pub(crate) in_body: Vector<f32>,
-    /// Light on the color and highlight, or place and normal.
-    pub(crate) values: [Vector<f32>; 2],
+    /// Light on the color and highlight, or place and normal; then the point in the body's frame, for its pattern.
+    pub(crate) values: [[f32; 3]; 3],
 }
 
-/// What a pixel shows so far.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Fragment {
-    /// Distance along the view, meters.
-    pub(crate) depth: f64,
-    /// [`RayOrigin::word`](crate::RayOrigin) of the body and side.
-    pub(crate) start: u32,
-    /// As of the [`TriangleCorner`]s.
-    pub(crate) in_body: Vector<f32>,
-    /// As of the [`TriangleCorner`]s.
-    pub(crate) values: [Vector<f32>; 2],
+/// Which triangle is nearest in each pixel, so far.
+pub(crate) struct VisibilityBuffer {
+    /// Pixels from one row to the next: the picture's width, filled up to whole runs.
+    pub(crate) stride: usize,
+    /// Distances along the view, meters; infinite where nothing is.
+    pub(crate) depths: Vec<f64>,
+    /// Numbers of triangles; [`NO_TRIANGLE`] where none of those that were drawn last is nearest.
+    pub(crate) triangles: Vec<u32>,
 }
 
-impl Fragment {
-    /// Nothing.
-    pub(crate) const EMPTY: Self = {
-        let nothing = Vector { x: 0.0, y: 0.0, z: 0.0 };
-        Self { depth: f64::INFINITY, start: u32::MAX, in_body: nothing, values: [nothing; 2] }
-    };
+impl VisibilityBuffer {
+    /// A buffer with nothing in it.
+    pub(crate) fn new(frame: FrameSize) -> Result<Self, SizeError> {
+        let stride = frame.width.next_multiple_of(RUN);
+        let padded = FrameSize { width: stride, ..frame };
+        Ok(Self { stride, depths: padded.buffer(f64::INFINITY)?, triangles: padded.buffer(NO_TRIANGLE)? })
+    }
 
-    pub(crate) fn is_empty(&self) -> bool {
-        self.depth == f64::INFINITY
+    /// Forgets how near anything is.
+    pub(crate) fn clear(&mut self) {
+        self.depths.fill(f64::INFINITY);
+    }
+
+    /// Forgets the numbers of triangles, but not how near they are.
+    pub(crate) fn forget_triangles(&mut self) {
+        self.triangles.fill(NO_TRIANGLE);
     }
 }
 
@@ -55,8 +69,9 @@ pub(crate) struct ScreenTriangle {
     edges: [DVec3; 3],
     corners: [u32; 3],
     depths: [f64; 3],
-    start: u32,
-    /// Whether the values are the same at all corners: then they are not interpolated, and not rounded.
+    /// [`RayOrigin::word`](crate::RayOrigin) of the body and side.
+    pub(crate) start: u32,
+    /// Whether light or place and normal are the same at all corners: then they are not interpolated, and not rounded.
     is_even: bool,
     rows: Range<usize>,
     columns: Range<usize>,
@@ -70,8 +85,9 @@ impl ScreenTriangle {
         start: u32,
         frame: FrameSize,
     ) -> Option<Self> {
-        let [a, b, c] = corners.map(|corner| all.get(corner as usize).map(|corner| corner.seen));
-        let seen = [a?, b?, c?];
+        let [a, b, c] = corners.map(|corner| all.get(corner as usize));
+        let all = [a?, b?, c?];
+        let seen = all.map(|corner| corner.seen);
         let [a, b, c] = seen.map(|corner| corner.at);
         let edges = [edge(b, c), edge(c, a), edge(a, b)];
         let determinant = edges[0].dot(a);
@@ -79,48 +95,73 @@ impl ScreenTriangle {
             return None;
         }
         let (rows, columns) = extent([a, b, c], frame)?;
-        let mut values = corners.iter().map(|&corner| all.get(corner as usize).map(|corner| corner.values));
-        let first = values.next()?;
+        let [first, others @ ..] = all.map(|corner| &corner.values[..2]);
         Some(Self {
             edges: edges.map(|edge| edge * determinant.signum()),
             corners,
             depths: seen.map(|corner| corner.depth),
             start,
-            is_even: values.all(|other| other == first),
+            is_even: others.iter().all(|other| *other == first),
             rows,
             columns,
         })
     }
 
-    /// The rows of `band` that it may reach.
-    pub(crate) fn rows_within(&self, band: Range<usize>) -> Range<usize> {
-        self.rows.start.max(band.start)..self.rows.end.min(band.end)
+    /// The rows that it may reach.
+    pub(crate) fn rows(&self) -> Range<usize> {
+        self.rows.clone()
     }
 
-    /// Draws what lies in row `y` of the picture, whose fragments these are; samples lie at `offset` in their pixels.
-    pub(crate) fn draw(&self, all: &[TriangleCorner], y: usize, offset: DVec2, row: &mut [Fragment]) {
+    /// Draws what lies in row `y` of the picture, whose depths and triangles these are, as triangle `number`; samples lie
+    /// at `offset` in their pixels.
+    #[inline(always)]
+    pub(crate) fn draw(
+        &self,
+        number: u32,
+        (y, offset): (usize, DVec2),
+        depths: &mut [f64],
+        triangles: &mut [u32],
+    ) {
         let at_y = y as f64 + offset.y;
         let rest = self.edges.map(|edge| edge.y * at_y + edge.z);
         let columns = self.columns_of(rest, offset.x);
-        let Some(fragments) = row.get_mut(columns.clone()) else { return };
-        for (x, fragment) in columns.zip(fragments) {
-            let at_x = x as f64 + offset.x;
-            let shares = [0, 1, 2].map(|i| self.edges[i].x * at_x + rest[i]);
+        let runs = columns.start / RUN..columns.end.div_ceil(RUN);
+        let (depths, _) = depths.as_chunks_mut::<RUN>();
+        let (triangles, _) = triangles.as_chunks_mut::<RUN>();
+        let (Some(depths), Some(triangles)) = (depths.get_mut(runs.clone()), triangles.get_mut(runs.clone()))
+        else {
+            return;
+        };
+        /// Where the pixels of a run lie.
+        const LANES: [f64; RUN] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
+        let zero = Float64([0.0; RUN]);
+        for (run, (depths, triangles)) in runs.zip(depths.iter_mut().zip(triangles)) {
+            let at_x = Float64([(run * RUN) as f64; RUN]) + Float64(LANES) + Float64([offset.x; RUN]);
+            let share = |i: usize| Float64([self.edges[i].x; RUN]) * at_x + Float64([rest[i]; RUN]);
+            let shares = [share(0), share(1), share(2)];
             let sum = shares[0] + shares[1] + shares[2];
             // The sum is in proportion to 1/w: what is not before the eye is not seen.
-            if shares.iter().all(|share| *share >= 0.0) && sum > 0.0 {
-                let shares = shares.map(|share| share / sum);
-                let depth: f64 = shares.iter().zip(self.depths).map(|(share, depth)| share * depth).sum();
-                if depth > 0.0 && depth < fragment.depth {
-                    *fragment = self.fragment(all, shares, depth);
-                }
+            let inside = shares[0].ge(zero) & shares[1].ge(zero) & shares[2].ge(zero) & sum.gt(zero);
+            if !inside.any() {
+                continue;
             }
+            let part = |i: usize| shares[i] * Float64([self.depths[i]; RUN]);
+            let depth = (part(0) + part(1) + part(2)) / sum;
+            let nearer = inside & depth.gt(zero) & depth.lt(Float64(*depths));
+            *depths = Float64::select(nearer, depth, Float64(*depths)).0;
+            nearer.select_words(number, triangles);
         }
     }
 
     /// Which columns of a row can be inside of all edges, one more on either side.
+    #[inline(always)]
     fn columns_of(&self, rest: [f64; 3], offset: f64) -> Range<usize> {
+        /// Narrower ones are not worth three divisions.
+        const NARROW: usize = 2 * RUN;
         let Range { mut start, mut end } = self.columns;
+        if end - start <= NARROW {
+            return start..end;
+        }
         for (edge, rest) in self.edges.iter().zip(rest) {
             let crossing = -rest / edge.x - offset;
             if edge.x > 0.0 {
@@ -132,17 +173,51 @@ impl ScreenTriangle {
         start..end.max(start)
     }
 
-    fn fragment(&self, all: &[TriangleCorner], shares: [f64; 3], depth: f64) -> Fragment {
-        let mut fragment = Fragment { depth, start: self.start, ..Fragment::EMPTY };
-        for (corner, share) in self.corners.iter().zip(shares) {
-            let Some(corner) = all.get(*corner as usize) else { continue };
-            let share = share as f32;
-            fragment.in_body = fragment.in_body + corner.in_body * share;
-            for (sum, value) in fragment.values.iter_mut().zip(corner.values) {
-                *sum = if self.is_even { value } else { *sum + value * share };
+    /// The values at places of the picture that it covers, as its corners of `all` have them.
+    #[inline(always)]
+    pub(crate) fn values<W: Width>(
+        &self,
+        w: W,
+        all: &[TriangleCorner],
+        [x, y]: &[[f64; MOST_LANES]; 2],
+    ) -> [Vector<W::R>; 3] {
+        let mut shares = [[0.0; MOST_LANES]; 3];
+        let [first, second, third] = &mut shares;
+        let shares_out = first.as_chunks_mut::<RUN>().0.iter_mut().zip(second.as_chunks_mut::<RUN>().0);
+        let places = x.as_chunks::<RUN>().0.iter().zip(y.as_chunks::<RUN>().0);
+        for (((a, b), c), (x, y)) in
+            shares_out.zip(third.as_chunks_mut::<RUN>().0).zip(places).take(W::LANES.div_ceil(RUN))
+        {
+            let share = |i: usize| {
+                let edge = self.edges[i];
+                Float64([edge.x; RUN]) * Float64(*x)
+                    + Float64([edge.y; RUN]) * Float64(*y)
+                    + Float64([edge.z; RUN])
+            };
+            let shares = [share(0), share(1), share(2)];
+            let sum = Float64([1.0; RUN]) / (shares[0] + shares[1] + shares[2]);
+            for (to, share) in [a, b, c].into_iter().zip(shares) {
+                for (to, share) in to.iter_mut().zip((share * sum).0) {
+                    *to = share as f32;
+                }
             }
         }
-        fragment
+        let shares = [w.load(&shares[0]), w.load(&shares[1]), w.load(&shares[2])];
+        let none = [Vector::splat(w.real(0.0), [0.0; 3]); 3];
+        let [a, b, c] = self.corners.map(|corner| all.get(corner as usize));
+        let (Some(a), Some(b), Some(c)) = (a, b, c) else { return none };
+        let mut values = none;
+        for (which, value) in values.iter_mut().enumerate() {
+            let [a, b, c] = [a, b, c].map(|corner| corner.values[which]);
+            *value = if self.is_even && which < 2 {
+                Vector::splat(shares[0], a)
+            } else {
+                (Vector::splat(shares[0], a) * shares[0])
+                    .plus_times(Vector::splat(shares[0], b), shares[1])
+                    .plus_times(Vector::splat(shares[0], c), shares[2])
+            };
+        }
+        values
     }
 }
 
@@ -183,35 +258,48 @@ fn extent(corners: [DVec3; 3], frame: FrameSize) -> Option<(Range<usize>, Range<
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::simd::scalar::ScalarWidth;
 
     fn corner(x: f64, y: f64, w: f64) -> TriangleCorner {
         let at = HomogeneousPoint { at: DVec3::new(x * w, y * w, w), depth: w };
-        let value = Vector { x: w as f32, y: x as f32, z: y as f32 };
-        TriangleCorner { seen: at, in_body: value, values: [value; 2] }
+        TriangleCorner { seen: at, values: [[w as f32, x as f32, y as f32]; 3] }
     }
 
-    fn draw(corners: &[TriangleCorner], triangles: &[[u32; 3]]) -> Vec<Vec<Fragment>> {
-        let frame = FrameSize { width: 16, height: 12 };
-        let mut rows = vec![vec![Fragment::EMPTY; frame.width]; frame.height];
-        for (number, triangle) in triangles.iter().enumerate() {
-            let Some(triangle) = ScreenTriangle::new(corners, *triangle, number as u32, frame) else {
-                continue;
-            };
-            for (y, row) in rows.iter_mut().enumerate() {
-                triangle.draw(corners, y, DVec2::splat(0.5), row);
+    const FRAME: FrameSize = FrameSize { width: 16, height: 12 };
+
+    fn triangles(corners: &[TriangleCorner], triangles: &[[u32; 3]]) -> Vec<ScreenTriangle> {
+        let new = |triangle: &[u32; 3]| ScreenTriangle::new(corners, *triangle, 0, FRAME);
+        triangles.iter().filter_map(new).collect()
+    }
+
+    fn draw(triangles: &[ScreenTriangle]) -> VisibilityBuffer {
+        let mut visible = VisibilityBuffer::new(FRAME).unwrap();
+        assert_eq!(visible.stride, FRAME.width);
+        for (triangle, number) in triangles.iter().zip(0..) {
+            for y in triangle.rows() {
+                let row = y * FRAME.width..(y + 1) * FRAME.width;
+                let (depths, numbers) = (&mut visible.depths[row.clone()], &mut visible.triangles[row]);
+                triangle.draw(number, (y, DVec2::splat(0.5)), depths, numbers);
             }
         }
-        rows
+        visible
+    }
+
+    /// Whether a triangle is seen in each pixel, row by row.
+    fn covered(visible: &VisibilityBuffer) -> Vec<Vec<bool>> {
+        let is_seen = |number: &u32| *number != NO_TRIANGLE;
+        let rows = visible.triangles.chunks(FRAME.width);
+        rows.map(|row| row.iter().map(is_seen).collect()).collect()
     }
 
     #[test]
     fn a_square_of_two_triangles_covers_its_pixels_once_each() {
         let corners = [(2.0, 1.0), (10.0, 1.0), (10.0, 9.0), (2.0, 9.0)].map(|(x, y)| corner(x, y, 3.0));
-        let rows = draw(&corners, &[[0, 1, 2], [0, 2, 3]]);
+        let rows = covered(&draw(&triangles(&corners, &[[0, 1, 2], [0, 2, 3]])));
         for (y, row) in rows.iter().enumerate() {
-            for (x, fragment) in row.iter().enumerate() {
+            for (x, is_covered) in row.iter().enumerate() {
                 let inside = (2..10).contains(&x) && (1..9).contains(&y);
-                assert_eq!(!fragment.is_empty(), inside, "{x}, {y}");
+                assert_eq!(*is_covered, inside, "{x}, {y}");
             }
         }
     }
@@ -220,30 +308,35 @@ mod tests {
     fn values_are_interpolated_with_the_perspective() {
         // In space the middle of the line is where 1/w has its mean.
         let corners = [corner(0.0, 0.0, 1.0), corner(16.0, 0.0, 4.0), corner(8.0, 12.0, 2.0)];
-        let rows = draw(&corners, &[[0, 1, 2]]);
+        let triangles = triangles(&corners, &[[0, 1, 2]]);
+        let visible = draw(&triangles);
         let mut seen = 0;
-        for fragment in rows.iter().flatten().filter(|fragment| !fragment.is_empty()) {
-            assert!((f64::from(fragment.in_body.x) - fragment.depth).abs() < 1e-5);
+        for (pixel, number) in visible.triangles.iter().enumerate().filter(|(_, number)| **number == 0) {
+            let at = DVec2::new((pixel % FRAME.width) as f64, (pixel / FRAME.width) as f64) + 0.5;
+            let at = at.to_array().map(|at| [at; MOST_LANES]);
+            let [value, ..] = triangles[*number as usize].values(ScalarWidth, &corners, &at);
+            assert!((f64::from(value.x) - visible.depths[pixel]).abs() < 1e-5);
             seen += 1;
         }
         assert!(seen > 60);
-        let at_top = rows[0][8];
-        assert!((at_top.depth - 1.0 / (1.0 - 8.5 / 16.0 + 8.5 / 64.0)).abs() < 0.1, "{at_top:?}");
+        let at_top = visible.depths[8];
+        assert!((at_top - 1.0 / (1.0 - 8.5 / 16.0 + 8.5 / 64.0)).abs() < 0.1, "{at_top:?}");
     }
 
     #[test]
     fn what_lies_behind_the_eye_is_not_seen() {
         let corners = [corner(5.0, 5.0, -1.0), corner(9.0, 5.0, -1.0), corner(7.0, 9.0, -2.0)];
-        assert!(draw(&corners, &[[0, 1, 2]]).iter().flatten().all(Fragment::is_empty));
+        let behind = draw(&triangles(&corners, &[[0, 1, 2]]));
+        assert!(covered(&behind).iter().flatten().all(|is_covered| !is_covered));
         // A floor that goes under the eye: from the horizon of row 4 down, all is covered.
         let floor = |x: f64, w: f64| TriangleCorner {
             seen: HomogeneousPoint { at: DVec3::new(8.0 * w + x, 4.0 * w + 6.0, w), depth: w },
             ..corner(0.0, 0.0, 1.0)
         };
         let corners = [floor(-1e5, -10.0), floor(1e5, -10.0), floor(1e5, 1e4), floor(-1e5, 1e4)];
-        let rows = draw(&corners, &[[0, 1, 2], [0, 2, 3]]);
+        let rows = covered(&draw(&triangles(&corners, &[[0, 1, 2], [0, 2, 3]])));
         for (y, row) in rows.iter().enumerate() {
-            assert!(row.iter().all(|fragment| fragment.is_empty() == (y < 4)), "row {y}");
+            assert!(row.iter().all(|is_covered| *is_covered == (y >= 4)), "row {y}");
         }
     }
 
@@ -259,8 +352,8 @@ mod tests {
         ]
         .map(|(x, y, w)| corner(x, y, w));
         for order in [[[0, 1, 2], [3, 4, 5]], [[3, 4, 5], [0, 1, 2]]] {
-            let rows = draw(&corners, &order);
-            assert_eq!(rows[3][7].depth, 1.0);
+            let visible = draw(&triangles(&corners, &order));
+            assert_eq!(visible.depths[3 * FRAME.width + 7], 1.0);
         }
     }
 }

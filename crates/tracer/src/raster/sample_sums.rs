@@ -6,10 +6,7 @@ use catoptric_picture::{Picture, SizeError};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
-use crate::raster::error::MethodError;
 use crate::raster::pass::PassName;
-use crate::transport::control::RenderControl;
-use crate::transport::counts::RayCounts;
 use crate::transport::render::RenderSettings;
 
 /// The passes of a drawing with their times, in the order of their first beginning.
@@ -69,28 +66,6 @@ impl FrameSize {
     /// Whether a place lies in the picture.
     pub(crate) fn holds(self, at: DVec2) -> bool {
         at.cmpge(DVec2::ZERO).all() && at.cmplt(self.size()).all()
-    }
-
-    /// Calls `row` for each row of `values` with what `make` makes once for each thread, on all threads; the counts that
-    /// the calls return are added up.
-    pub(crate) fn each_row<T: Send, M>(
-        self,
-        values: &mut [T],
-        control: &RenderControl,
-        make: impl Fn() -> M + Sync + Send,
-        row: impl Fn(&mut M, usize, &mut [T]) -> RayCounts + Sync + Send,
-    ) -> Result<RayCounts, MethodError> {
-        let rows = values.par_chunks_mut(self.width).enumerate();
-        let counts = rows.map_init(make, |made, (y, values)| {
-            if control.is_cancelled() {
-                return RayCounts::default();
-            }
-            let counts = row(made, y, values);
-            control.add_pixels(self.width as u64);
-            counts
-        });
-        let counts = counts.reduce(RayCounts::default, std::ops::Add::add);
-        if control.is_cancelled() { Err(MethodError::Cancelled) } else { Ok(counts) }
     }
 }
 

@@ -27,6 +27,16 @@ impl<const N: usize> Mask64<N> {
     }
 }
 
+impl<const N: usize> Mask64<N> {
+    /// Makes `words` this value where it holds.
+    #[inline(always)]
+    pub(crate) fn select_words(self, value: u32, words: &mut [u32; N]) {
+        for (word, mask) in words.iter_mut().zip(self.0) {
+            *word = value & mask as u32 | *word & !mask as u32;
+        }
+    }
+}
+
 impl<const N: usize> Float64<N> {
     /// Whole numbers from 0 to 2³² - 1 as words.
     #[inline(always)]

@@ -1,5 +1,6 @@
 //! The points that rays met, with all that shading needs.
 
+use crate::geometry::body::RenderBody;
 use crate::geometry::query::PacketHits;
 use crate::geometry::ray::{INWARDS, RayPacket};
 use crate::simd::vector::Vector;
@@ -19,35 +20,27 @@ pub(crate) struct SurfaceInteraction<W: Width> {
 }
 
 impl<W: Width> SurfaceInteraction<W> {
-    /// Points on surfaces, each as if its body had the color 1, seen along `direction`; `start` is the body of each, with
-    /// [`INWARDS`] on its inner side.
-    pub(crate) fn at_points(
+    /// Points on surfaces, seen along `direction`; `start` is the body of each, with [`INWARDS`] on its inner side, and
+    /// `color_of` tells the colors of a body at some of the points.
+    #[inline(always)]
+    pub(crate) fn at_points<const FULL: bool>(
         w: W,
         scene: &RenderScene,
         start: W::W,
         (position, normal): (Vector<W::R>, Vector<W::R>),
         direction: Vector<W::R>,
         lanes: W::M,
+        color_of: impl Fn(&RenderBody, W::M) -> Vector<W::R>,
     ) -> Self {
-        let (mut starts, mut bodies) = ([0; MOST_LANES], [0; MOST_LANES]);
-        start.store(&mut starts);
-        for (body, start) in bodies.iter_mut().zip(starts) {
-            *body = start & !INWARDS;
-        }
-        let body = w.load_words(&bodies);
+        let body = start.and(!INWARDS);
         let mut bsdf = Bsdf { normal, ..Bsdf::black(w, body, start.has(INWARDS)) };
-        let white = Vector::splat(w.real(0.0), [1.0; 3]);
-        let mut left = lanes.bits();
-        while left != 0 {
-            let index = bodies[left.trailing_zeros() as usize % MOST_LANES];
-            let same = body.is(index) & lanes;
-            left &= !same.bits();
+        each_word::<W>(body, lanes, |index, same| {
             let body = scene.geometry.body(index);
-            let ground = Vector::splat(w.real(0.0), scene.material(body).color);
-            let colors = SurfaceColors { color: white, ground };
-            let material = (scene.material(body), scene.ambient);
-            bsdf.set_material::<true, false>(w, material, colors, direction, same);
-        }
+            let material = scene.material(body);
+            let ground = Vector::splat(w.real(0.0), material.color);
+            let colors = SurfaceColors { color: color_of(body, same), ground };
+            bsdf.set_material::<FULL, false>(w, (material, scene.ambient), colors, direction, same);
+        });
         Self { t: w.real(0.0), start, position, bsdf }
     }
 
@@ -134,5 +127,19 @@ impl<W: Width> SurfaceInteraction<W> {
     pub(crate) fn rays_on_far_side(&self, direction: Vector<W::R>) -> RayPacket<W> {
         let other = self.start.plus(self.start.like(INWARDS));
         RayPacket { origin: self.position, direction, start: other }
+    }
+}
+
+/// Calls `take` for each of the words that some of `lanes` have, with those: side by side, most have the same.
+#[inline(always)]
+pub(crate) fn each_word<W: Width>(words: W::W, lanes: W::M, mut take: impl FnMut(u32, W::M)) {
+    let mut numbers = [0; MOST_LANES];
+    words.store(&mut numbers);
+    let mut left = lanes.bits();
+    while left != 0 {
+        let number = numbers[left.trailing_zeros() as usize % MOST_LANES];
+        let same = words.is(number) & lanes;
+        left &= !same.bits();
+        take(number, same);
     }
 }

@@ -90,6 +90,12 @@ impl<'a> ShadingContext<'a> {
     #[inline(always)]
     pub(crate) fn start_paths<W: Width>(&mut self, w: W, paths: &mut PathState<W>) {
         self.counts.primary += u64::from(paths.lanes.bits().count_ones());
+        self.enter_media_at_eye(w, paths);
+    }
+
+    /// Tells rays from the eye the media where they start.
+    #[inline(always)]
+    pub(crate) fn enter_media_at_eye<W: Width>(&mut self, w: W, paths: &mut PathState<W>) {
         if self.scene.geometry.has_transparency {
             paths.media = match self.camera.eye() {
                 Some(eye) => {

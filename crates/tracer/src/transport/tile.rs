@@ -442,6 +442,13 @@ impl<W: Width> PixelBlock<W> {
         Self { x: w.load(&x), y: w.load(&y), pixel: w.load_words(&pixel) }
     }
 
+    /// Where the pixel of a lane lies, if the first one lies at (x, y).
+    #[inline(always)]
+    pub(crate) fn place(lane: usize, (x, y): (usize, usize)) -> [usize; 2] {
+        let [width, _] = Self::SIZE;
+        [x + lane % width, y + lane / width]
+    }
+
     /// A bit for each pixel that lies in the tile.
     #[inline(always)]
     pub(crate) fn lanes(place: TileRect, left: usize, top: usize) -> u32 {

@@ -1,6 +1,5 @@
 //! The first hits of a picture's primary rays and their local light: the same packets as the tracer's first generation.
 
-use glam::{DVec2, UVec2};
 use rayon::prelude::*;
 
 use crate::geometry::membership::MembershipSource as _;
@@ -10,6 +9,7 @@ use crate::raster::error::MethodError;
 use crate::raster::gbuffer::GBufferTexel;
 use crate::raster::point_shader::exact;
 use crate::raster::sample_sums::FrameSize;
+use crate::raster::tile_sample::TileSample;
 use crate::simd::vector::Vector;
 use crate::simd::{Float32 as _, MOST_LANES, Mask as _, SimdKernel, Width, Word as _};
 use crate::transport::camera::RenderCamera;
@@ -17,7 +17,6 @@ use crate::transport::control::RenderControl;
 use crate::transport::counts::RayCounts;
 use crate::transport::interaction::SurfaceInteraction;
 use crate::transport::path::{PathState, Unobserved};
-use crate::transport::sampler::Sampler;
 use crate::transport::scene::RenderScene;
 use crate::transport::shading::{PacketSource, ShadingContext};
 use crate::transport::tile::PixelBlock;
@@ -35,7 +34,7 @@ pub(crate) fn find_first_hits(
     texels: &mut [GBufferTexel],
     lit: &mut [Vector<f32>],
 ) -> Result<RayCounts, MethodError> {
-    let FrameSize { width, height } = frame;
+    let width = frame.width;
     let rows = BAND * width;
     let bands = texels.par_chunks_mut(rows).zip(lit.par_chunks_mut(rows)).enumerate();
     let counts = bands.map_init(
@@ -47,15 +46,11 @@ pub(crate) fn find_first_hits(
                 if control.is_cancelled() {
                     break;
                 }
-                let [left, size] =
-                    [UVec2::new(part.x as u32, part.y as u32), UVec2::new(width as u32, height as u32)];
-                let tile = TileRect::around(left, size, TILE);
+                let part = TileSample::new(part, frame, sample);
                 if scene.is_full {
-                    let kernel = FirstHitKernel::<true> { shading, tile, part, frame, sample, texels, lit };
-                    scene.lanes.run_in_few(kernel);
+                    scene.lanes.run_in_few(FirstHitKernel::<true> { shading, part, width, texels, lit });
                 } else {
-                    let kernel = FirstHitKernel::<false> { shading, tile, part, frame, sample, texels, lit };
-                    scene.lanes.run_in_few(kernel);
+                    scene.lanes.run_in_few(FirstHitKernel::<false> { shading, part, width, texels, lit });
                 }
             }
             control.add_pixels(place.pixels() as u64);
@@ -69,11 +64,9 @@ pub(crate) fn find_first_hits(
 /// One sample of some rows of a tile. `FULL` stands where [`RenderScene::is_full`] may be true.
 struct FirstHitKernel<'k, 'a, const FULL: bool> {
     shading: &'k mut ShadingContext<'a>,
-    tile: TileRect,
-    /// The rows of the tile.
-    part: TileRect,
-    frame: FrameSize,
-    sample: u32,
+    part: TileSample,
+    /// Of the picture, pixels.
+    width: usize,
     /// From the pixel in the first column of the first of these rows on.
     texels: &'k mut [GBufferTexel],
     lit: &'k mut [Vector<f32>],
@@ -84,34 +77,22 @@ impl<const FULL: bool> SimdKernel for FirstHitKernel<'_, '_, FULL> {
 
     #[inline(always)]
     fn run<W: Width>(self, w: W) {
-        let Self { shading, tile, part, frame, sample, texels, lit } = self;
-        let size: DVec2 = frame.size();
-        let [width, height] = PixelBlock::<W>::SIZE;
-        let across = tile.width.div_ceil(width);
-        let (near, reach, offset) = tile.rays(shading.camera, size, sample);
-        shading.trim_media();
-        shading.begin_sample(sample, Sampler::new(sample, [tile.x, tile.y], [width, height], across));
-        shading.begin_tile(&near, reach);
-        let block = PixelBlock::new(w);
-        let mut paths = PathState::from_eye(w);
-        for top in (0..part.height).step_by(height) {
-            let row = part.y - tile.y + top;
-            for left in (0..part.width).step_by(width) {
-                // Whole numbers are added first: a pixel's ray is the same in blocks of every width.
-                let (x, y) = (block.x + left as f32 + offset.x, block.y + row as f32 + offset.y);
-                paths.rays.set(near.rays(x, y));
-                paths.lanes = w.mask(PixelBlock::<W>::lanes(part, left, top));
-                let first = (row / height * across + left / width) * W::LANES;
-                paths.pixel = block.pixel.plus(w.word(first as u32));
-                shading.start_paths(w, &mut paths);
-                let found = FirstHitPacket::find::<FULL>(w, shading, &paths);
+        let Self { shading, part, width, texels, lit } = self;
+        part.each_block(
+            w,
+            shading,
+            #[inline(always)]
+            |shading, paths, (x, y)| {
+                shading.start_paths(w, paths);
+                let found = FirstHitPacket::find::<FULL>(w, shading, paths);
                 found.each_lane(shading.camera, paths.lanes.bits(), |lane, texel, light| {
-                    let pixel = (top + lane / width) * frame.width + part.x + left + lane % width;
+                    let [x, y] = PixelBlock::<W>::place(lane, (x, y));
+                    let pixel = y * width + x;
                     texels.get_mut(pixel).into_iter().for_each(|to| *to = texel);
                     lit.get_mut(pixel).into_iter().for_each(|to| *to = light);
                 });
-            }
-        }
+            },
+        );
     }
 }
 

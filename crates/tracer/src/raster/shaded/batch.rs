@@ -7,11 +7,13 @@ use crate::geometry::ray::RayOrigin;
 use crate::raster::error::MethodError;
 use crate::raster::pass::PassName;
 use crate::raster::point_shader::{PointShader, ShadingPoint, vector};
-use crate::raster::rasterizer::{Fragment, ScreenTriangle, TriangleCorner};
+use crate::raster::rasterizer::{ScreenTriangle, TriangleCorner, VisibilityBuffer};
 use crate::raster::sample_sums::PassTimer;
 use crate::raster::shaded::faces::{FaceList, MeshCache, WorldFace, WorldVertex};
+use crate::raster::shaded::fragments::BAND;
 use crate::raster::shaded::{ShadingFrequency, ShadingJob};
 use crate::simd::vector::Vector;
+use crate::simd::{SimdKernel, Width};
 use crate::transport::counts::RayCounts;
 use crate::transport::sampler::Sampler;
 use crate::transport::scene::RenderScene;
@@ -26,9 +28,13 @@ pub(crate) struct BatchBuilder<'a> {
 
 /// Faces of some bodies, ready to be drawn.
 pub(crate) struct FaceBatch {
-    corners: Vec<TriangleCorner>,
-    triangles: Vec<ScreenTriangle>,
+    pub(crate) corners: Vec<TriangleCorner>,
+    pub(crate) triangles: Vec<ScreenTriangle>,
+    /// The triangles that each band of rows may show, in their order.
+    bands: Vec<Vec<u32>>,
     bodies: u32,
+    /// Whether no bodies follow.
+    pub(crate) is_last: bool,
 }
 
 /// What is interpolated, of corners, and the rays that it took.
@@ -47,16 +53,13 @@ impl<'a> BatchBuilder<'a> {
         self.next = 0;
     }
 
-    /// The faces of the next bodies; `None` after the last.
+    /// The faces of the next bodies.
     pub(crate) fn batch(
         &mut self,
         clock: &mut PassTimer,
         counts: &mut RayCounts,
-    ) -> Result<Option<FaceBatch>, MethodError> {
+    ) -> Result<FaceBatch, MethodError> {
         let (job, first) = (self.job, self.next);
-        if first as usize == job.scene.body_count() {
-            return Ok(None);
-        }
         let faces = clock.time(PassName::Tessellate, || self.faces());
         if job.control.is_cancelled() {
             return Err(MethodError::Cancelled);
@@ -66,8 +69,13 @@ impl<'a> BatchBuilder<'a> {
             ShadingFrequency::Gouraud | ShadingFrequency::Phong => of_vertices(job, &faces.vertices),
         });
         *counts += rays;
-        let triangles = clock.time(PassName::Rasterize, || triangles(job, &corners, &faces.faces));
-        Ok(Some(FaceBatch { corners, triangles, bodies: self.next - first }))
+        let (triangles, bands) = clock.time(PassName::Rasterize, || {
+            let triangles = triangles(job, &corners, &faces.faces);
+            let bands = bands(job, &triangles);
+            (triangles, bands)
+        });
+        let is_last = self.next as usize == job.scene.body_count();
+        Ok(FaceBatch { corners, triangles, bands, bodies: self.next - first, is_last })
     }
 
     fn faces(&mut self) -> FaceList {
@@ -87,7 +95,7 @@ impl<'a> BatchBuilder<'a> {
 /// The corners of flat faces, four for each: all have the light of the face's middle.
 fn of_faces(job: &ShadingJob<'_>, all: &FaceList) -> VertexLights {
     in_chunks(job, &all.faces, |shader, faces, corners| {
-        let middle = |face: &WorldFace| job.point(face.start, face.middle, vector(face.normal), 0);
+        let middle = |face: &WorldFace| job.point(face.start, face.middle, face.normal);
         let points: Vec<ShadingPoint> = faces.iter().map(middle).collect();
         for (face, light) in faces.iter().zip(job.light_all(shader, &points)) {
             let values = [light.on_color, light.highlight];
@@ -100,8 +108,7 @@ fn of_faces(job: &ShadingJob<'_>, all: &FaceList) -> VertexLights {
 /// The corners of other faces, which they share: two for each vertex, of the outer side and of the inner.
 fn of_vertices(job: &ShadingJob<'_>, vertices: &[WorldVertex]) -> VertexLights {
     let sides = |vertex: &WorldVertex| {
-        let normal = vector(vertex.normal);
-        [false, true].into_iter().zip(vertex.seen).zip([normal, -normal])
+        [false, true].into_iter().zip(vertex.seen).zip([vertex.normal, -vertex.normal])
     };
     in_chunks(job, vertices, |shader, vertices, corners| {
         let is_lit = |is_seen: bool| is_seen && job.shading != ShadingFrequency::Phong;
@@ -110,7 +117,7 @@ fn of_vertices(job: &ShadingJob<'_>, vertices: &[WorldVertex]) -> VertexLights {
             for ((inwards, is_seen), normal) in sides(vertex) {
                 if is_lit(is_seen) {
                     let start = RayOrigin { body: vertex.body, inwards };
-                    points.push(job.point(start, vertex.position, normal, 0));
+                    points.push(job.point(start, vertex.position, normal));
                 }
             }
         }
@@ -119,7 +126,9 @@ fn of_vertices(job: &ShadingJob<'_>, vertices: &[WorldVertex]) -> VertexLights {
             for ((_, is_seen), normal) in sides(vertex) {
                 let values = match is_lit(is_seen).then(|| lights.next()).flatten() {
                     Some(light) => [light.on_color, light.highlight],
-                    None if job.shading == ShadingFrequency::Phong => [vector(vertex.position), normal],
+                    None if job.shading == ShadingFrequency::Phong => {
+                        [vector(vertex.position), vector(normal)]
+                    }
                     None => [Vector::new(0.0, 0.0, 0.0); 2],
                 };
                 corners.push(corner(job, vertex, values));
@@ -140,7 +149,7 @@ fn place(shading: ShadingFrequency, number: usize, face: &WorldFace, corner: usi
 
 fn corner(job: &ShadingJob<'_>, vertex: &WorldVertex, values: [Vector<f32>; 2]) -> TriangleCorner {
     let seen = job.projection.point(vertex.position);
-    TriangleCorner { seen, in_body: vertex.in_body, values }
+    TriangleCorner { seen, values: [values[0], values[1], vertex.in_body].map(Vector::into) }
 }
 
 /// What `make` appends for the items, in their order, made on all threads. Lights are seen as if from no pixel.
@@ -182,35 +191,76 @@ fn triangles(job: &ShadingJob<'_>, corners: &[TriangleCorner], faces: &[WorldFac
     triangles.collect()
 }
 
+/// The triangles that each band of rows may show.
+fn bands(job: &ShadingJob<'_>, triangles: &[ScreenTriangle]) -> Vec<Vec<u32>> {
+    let mut bands = vec![Vec::new(); job.frame.height.div_ceil(BAND)];
+    for (triangle, number) in triangles.iter().zip(0..) {
+        let rows = triangle.rows();
+        let reached = bands.get_mut(rows.start / BAND..rows.end.div_ceil(BAND));
+        reached.into_iter().flatten().for_each(|band| band.push(number));
+    }
+    bands
+}
+
 impl FaceBatch {
     /// Whether it has all bodies of the scene.
     pub(crate) fn is_all(&self, scene: &RenderScene) -> bool {
         self.bodies as usize == scene.body_count()
     }
 
-    /// Draws the faces into the fragments of a sample.
+    /// Draws the faces into the buffer of a sample, in which no others have numbers then.
     pub(crate) fn rasterize(
         &self,
         job: &ShadingJob<'_>,
         offset: DVec2,
-        fragments: &mut [Fragment],
+        visible: &mut VisibilityBuffer,
     ) -> Result<(), MethodError> {
-        /// Each band of rows looks at all triangles.
-        const BANDS: usize = 256;
-        let height = job.frame.height.div_ceil(BANDS).max(8);
-        let width = job.frame.width;
-        fragments.par_chunks_mut(width * height).enumerate().for_each(|(band, rows)| {
-            let top = band * height;
-            for triangle in &self.triangles {
-                if job.control.is_cancelled() {
-                    return;
-                }
-                for y in triangle.rows_within(top..top + height) {
-                    let row = rows.chunks_mut(width).nth(y - top);
-                    row.into_iter().for_each(|row| triangle.draw(&self.corners, y, offset, row));
-                }
-            }
+        visible.forget_triangles();
+        let stride = visible.stride;
+        let rows = visible.depths.par_chunks_mut(BAND * stride);
+        let rows = rows.zip(visible.triangles.par_chunks_mut(BAND * stride));
+        rows.zip(&self.bands).enumerate().for_each(|(band, ((depths, triangles), numbers))| {
+            let kernel =
+                BandKernel { job, batch: self, numbers, top: band * BAND, offset, stride, depths, triangles };
+            job.scene.lanes.run_in_few(kernel);
         });
         if job.control.is_cancelled() { Err(MethodError::Cancelled) } else { Ok(()) }
+    }
+}
+
+/// Draws some of the triangles of a batch into a band of rows.
+struct BandKernel<'k> {
+    job: &'k ShadingJob<'k>,
+    batch: &'k FaceBatch,
+    /// Of the triangles.
+    numbers: &'k [u32],
+    /// The first row.
+    top: usize,
+    offset: DVec2,
+    stride: usize,
+    depths: &'k mut [f64],
+    triangles: &'k mut [u32],
+}
+
+impl SimdKernel for BandKernel<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<W: Width>(self, _: W) {
+        let Self { job, batch, numbers, top, offset, stride, depths, triangles } = self;
+        for &number in numbers {
+            if job.control.is_cancelled() {
+                return;
+            }
+            let Some(triangle) = batch.triangles.get(number as usize) else { continue };
+            let rows = triangle.rows();
+            for y in rows.start.max(top)..rows.end.min(top + BAND) {
+                let row = (y - top) * stride..(y - top + 1) * stride;
+                if let (Some(depths), Some(triangles)) = (depths.get_mut(row.clone()), triangles.get_mut(row))
+                {
+                    triangle.draw(number, (y, offset), depths, triangles);
+                }
+            }
+        }
     }
 }
