@@ -15,7 +15,9 @@ pub use shell::studio::{StartDocument, Studio};
 pub use shell::window::{InjectedLoss, open_with_fault};
 pub use shell::window::{open, prepare as prepare_window};
 pub use state::command::{
-    AuditCommand, Command, CommandGroup, CommandStyle, CompareCommand, MeasureCommand, Tool, ZoomStep,
+    AddCommand, AuditCommand, CameraCommand, Command, CommandGroup, CommandStyle, CompareCommand,
+    DisplayCommand, FileCommand, HelpCommand, MeasureCommand, PictureCommand, SelectionCommand, Tool,
+    ToolCommand, WindowCommand, ZoomStep,
 };
 pub use state::images::ImageUse;
 pub use state::layout::Pane;

@@ -18,7 +18,7 @@ use crate::base::thumbnails::Thumbnails;
 use crate::base::widgets::explained_icon_button;
 use crate::base::widgets::filter::filter_field;
 use crate::panels::outliner::item_name;
-use crate::state::command::Command;
+use crate::state::command::{Command, WindowCommand};
 use crate::state::context::Cx;
 use crate::state::layout::Pane;
 use presets::PRESETS;
@@ -188,7 +188,7 @@ fn filter_ui(ui: &mut Ui, cx: &mut Cx<'_>, browser: &mut MaterialBrowser, width:
         (pressed(Key::Escape), pressed(Key::Enter), pressed(Key::ArrowDown))
     });
     if response.lost_focus() && escape {
-        cx.run(Command::TogglePane(Pane::Materials));
+        cx.run(WindowCommand::TogglePane(Pane::Materials));
     } else if response.lost_focus() && enter {
         browser.find(cx);
         let found = browser.found.as_ref();
@@ -207,7 +207,7 @@ fn target_ui(ui: &mut Ui, cx: &mut Cx<'_>) {
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
         let share = Command::Edit(Action::ShareMaterial);
         let situation = cx.situation();
-        let (name, tip) = (situation.name(&share), situation.tip(&share).unwrap_or_default());
+        let (name, tip) = (situation.label(&share), situation.tip(&share).unwrap_or_default());
         let is_clicked = ui.add_enabled_ui(situation.can(&share), |ui| {
             explained_icon_button(ui, ICON_LINK, &name, &format!("{name}\n{tip}"), false).clicked()
         });

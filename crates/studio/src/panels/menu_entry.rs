@@ -28,7 +28,7 @@ pub(crate) fn item_response(
     command: &Command,
 ) -> Option<Response> {
     let look = command.look()?;
-    let name = situation.name(command);
+    let name = situation.label(command);
     let is_on = situation.is_on(command);
     let icon = match (is_on, command.is_choice()) {
         (None, _) => look.icon,

@@ -8,7 +8,7 @@ use egui_material_icons::icons::{ICON_LAYERS, ICON_SAVE_AS};
 
 use crate::base::texts::Texts;
 use crate::base::{shortcut_text, theme};
-use crate::state::command::Command;
+use crate::state::command::{Command, DisplayCommand, PictureCommand};
 use crate::state::context::Cx;
 use crate::state::methods::{ALL_SHOWN, MethodSettings, has, icon, method_key, short_key, shown_key};
 use fields::settings_ui;
@@ -54,7 +54,8 @@ pub(crate) fn methods_ui(ui: &mut Ui, texts: &Texts, methods: &mut MethodSetting
             if response.on_hover_text(texts.tip(key).unwrap_or_default()).clicked() {
                 methods.choose(kind);
             }
-            let shortcut = Command::Method(kind).look().and_then(|look| look.shortcuts.first());
+            let shortcut =
+                Command::from(DisplayCommand::Method(kind)).look().and_then(|look| look.shortcuts.first());
             if let Some(shortcut) = shortcut.filter(|_| with_keys) {
                 let weak = theme::palette(ui.visuals()).weak;
                 ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
@@ -108,7 +109,7 @@ fn shown_button(ui: &mut Ui, cx: &mut Cx<'_>, height: f32) {
         let label = format!("{} {}", ICON_SAVE_AS.codepoint, cx.t("command-render-shown"));
         let save = ui.button(label).accessible_name(cx.t("command-render-shown"));
         if save.on_hover_text(cx.texts.tip("command-render-shown").unwrap_or_default()).clicked() {
-            cx.run(Command::RenderShown);
+            cx.run(PictureCommand::RenderShown);
             ui.close();
         }
     });

@@ -17,7 +17,7 @@ use egui_material_icons::{MaterialIcon, icons};
 
 use crate::base::texts::Texts;
 use crate::base::widgets::filter::filter_field;
-use crate::state::command::Command;
+use crate::state::command::{AddCommand, Command};
 use crate::state::context::Cx;
 use rows::{OutlinerRow, OutlinerRows};
 
@@ -257,7 +257,7 @@ pub(crate) fn item_icon(scene: &Scene, item: Item) -> MaterialIcon {
         Item::Material(_) => icons::ICON_PALETTE,
         Item::Body(place) => {
             let shape = scene.bodies.get(place).map_or(ShapeKind::Sphere, |body| body.shape.kind());
-            let command = Command::AddBody(shape);
+            let command = Command::Add(AddCommand::Body(shape));
             command.look().map_or(icons::ICON_CIRCLE, |look| look.icon)
         }
     }

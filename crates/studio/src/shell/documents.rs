@@ -27,11 +27,12 @@ use egui::{Context, ViewportCommand};
 use crate::base::example_texts::example_title;
 use crate::base::job;
 use crate::shell::disk::{OpenedScene, OverwriteRule};
+use crate::shell::examples;
 use crate::shell::host::{FileKind, FileQuestion};
 use crate::shell::studio::Studio;
 use crate::shell::studio::documents::{FilePurpose, NextDocument, SceneSaveRequest};
 use crate::shell::studio::file_prompt::{self, ChosenFile, FilePrompt, FilePromptState};
-use crate::state::command::Command;
+use crate::state::command::FileCommand;
 use crate::state::settings::LastScene;
 pub(crate) use banner::{banner_ui, progress_ui};
 pub(crate) use start::start;
@@ -54,23 +55,23 @@ pub(crate) fn keep(context: &Context, studio: &mut Studio) {
     show_title(context, studio);
 }
 
-/// Does a command of the menu File.
-pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
+/// Does a command about the document as a whole.
+pub(crate) fn run(context: &Context, studio: &mut Studio, act: FileCommand) {
     studio.editor.settle();
-    match command {
-        Command::New => close_guard::replace(context, studio, NextDocument::New),
-        Command::Open => ask_for(studio, FilePurpose::Opening),
-        Command::OpenFile(path) => open::begin(context, studio, &path),
-        Command::OpenExample(name) => {
+    match act {
+        FileCommand::New => close_guard::replace(context, studio, NextDocument::New),
+        FileCommand::Open => ask_for(studio, FilePurpose::Opening),
+        FileCommand::OpenFile(path) => open::begin(context, studio, &path),
+        FileCommand::OpenExample(name) => {
             if let Some(example) = Example::find(name) {
                 close_guard::replace(context, studio, NextDocument::Example(example));
             }
         }
-        Command::Revert => open::revert(context, studio),
-        Command::Save => save::save(context, studio, None),
-        Command::SaveAs => save_as(studio, None),
-        Command::Quit => close_guard::replace(context, studio, NextDocument::Quit),
-        _ => {}
+        FileCommand::Revert => open::revert(context, studio),
+        FileCommand::Save => save::save(context, studio, None),
+        FileCommand::SaveAs => save_as(studio, None),
+        FileCommand::Quit => close_guard::replace(context, studio, NextDocument::Quit),
+        FileCommand::Examples => examples::open(studio),
     }
 }
 

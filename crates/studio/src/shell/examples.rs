@@ -14,7 +14,7 @@ use crate::base::widgets::paint_line_in;
 use crate::base::{scripts, theme};
 use crate::shell::studio::Studio;
 use crate::shell::studio::dialogs::{Dialog, DialogFlow, buttons_if};
-use crate::state::command::Command;
+use crate::state::command::FileCommand;
 
 /// A card: its picture and the text below.
 const PICTURE: Vec2 = vec2(192.0, 108.0);
@@ -78,7 +78,7 @@ impl Dialog for ExampleGallery {
             None => {}
         }
         let Some(example) = opened else { return DialogFlow::Stay };
-        studio.run(Command::OpenExample(example.name));
+        studio.run(FileCommand::OpenExample(example.name));
         DialogFlow::Close
     }
 }

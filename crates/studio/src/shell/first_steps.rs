@@ -10,15 +10,17 @@ use glam::DVec3;
 use crate::base::texts::Texts;
 use crate::base::theme;
 use crate::base::widgets::icon_button;
-use crate::state::command::{AuditCommand, Command};
+use crate::state::command::{AuditCommand, Command, FileCommand};
 use crate::state::context::Cx;
 
 /// The messages of the steps.
 const STEPS: [&str; 3] = ["first-move", "first-orbit", "first-reflection"];
 
 /// What there is to go on with when all steps are done.
-const NEXT: [(&str, Command); 2] =
-    [("first-gallery", Command::Examples), ("first-lab", Command::Audit(AuditCommand::Tool))];
+const NEXT: [(&str, Command); 2] = [
+    ("first-gallery", Command::File(FileCommand::Examples)),
+    ("first-lab", Command::Audit(AuditCommand::Tool)),
+];
 
 /// The state of the first steps.
 #[derive(Debug, Default)]

@@ -18,7 +18,11 @@ use crate::panels::menu_entry::{dress_menu, item_response};
 use crate::shell::documents::recent;
 use crate::shell::menu_focus::MenuFocus;
 use crate::shell::studio::Studio;
-use crate::state::command::{AuditCommand, Command, CompareCommand, MeasureCommand, Tool, ZoomStep};
+use crate::state::command::{
+    AddCommand, AuditCommand, CameraCommand, Command, CompareCommand, DisplayCommand, FileCommand,
+    HelpCommand, MeasureCommand, PictureCommand, SelectionCommand, Tool, ToolCommand, WindowCommand,
+    ZoomStep,
+};
 use crate::state::layout::Pane;
 use crate::state::methods;
 
@@ -123,7 +127,7 @@ fn right_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
         (icons::ICON_DARK_MODE, Theme::Dark, "theme-to-dark")
     };
     if icon_button(ui, icon, studio.texts.get(key), false).clicked() {
-        commands.push(Command::Theme(other));
+        commands.push(WindowCommand::Theme(other).into());
     }
     ui.add_space(6.0);
     let palette = theme::palette(ui.visuals());
@@ -134,7 +138,7 @@ fn right_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
         let button = Button::selectable(is_on, text).min_size(vec2(30.0, 20.0));
         let response = ui.add(button).on_hover_text(studio.texts.tip("language").unwrap_or_default());
         if response.accessible_name(language.own_name()).clicked() {
-            commands.push(Command::Language(language));
+            commands.push(WindowCommand::Language(language).into());
         }
     }
 }
@@ -177,20 +181,20 @@ fn entries_ui(
     }
 }
 
-fn commands_of<const N: usize>(commands: [Command; N]) -> impl Iterator<Item = MenuItem> {
-    commands.into_iter().map(MenuItem::Do)
+fn commands_of<const N: usize>(commands: [impl Into<Command>; N]) -> impl Iterator<Item = MenuItem> {
+    commands.into_iter().map(|command| MenuItem::Do(command.into()))
 }
 
 fn file() -> Vec<MenuItem> {
-    let mut entries: Vec<MenuItem> = commands_of([Command::New, Command::Open]).collect();
+    let mut entries: Vec<MenuItem> = commands_of([FileCommand::New, FileCommand::Open]).collect();
     entries.push(MenuItem::Sub("menu-recent", icons::ICON_HISTORY, recent_ui));
     entries.push(MenuItem::Sub("menu-examples", icons::ICON_PHOTO_LIBRARY, examples_ui));
     entries.push(MenuItem::Line);
-    entries.extend(commands_of([Command::Save, Command::SaveAs, Command::Revert]));
+    entries.extend(commands_of([FileCommand::Save, FileCommand::SaveAs, FileCommand::Revert]));
     entries.push(MenuItem::Line);
-    entries.extend(commands_of([Command::Render, Command::RenderShown, Command::CopyPicture]));
+    entries.extend(commands_of([PictureCommand::Render, PictureCommand::RenderShown, PictureCommand::Copy]));
     entries.push(MenuItem::Line);
-    entries.push(MenuItem::Do(Command::Quit));
+    entries.push(MenuItem::Do(FileCommand::Quit.into()));
     entries
 }
 
@@ -198,8 +202,12 @@ fn edit() -> Vec<MenuItem> {
     let edit = Command::Edit;
     let mut entries: Vec<MenuItem> = commands_of([edit(Action::Undo), edit(Action::Redo)]).collect();
     entries.push(MenuItem::Line);
-    entries.extend(commands_of([Command::Cut, Command::Copy, Command::Paste]));
-    entries.extend(commands_of([edit(Action::Duplicate), edit(Action::Delete), Command::Rename]));
+    entries.extend(commands_of([SelectionCommand::Cut, SelectionCommand::Copy, SelectionCommand::Paste]));
+    entries.extend(commands_of([
+        edit(Action::Duplicate),
+        edit(Action::Delete),
+        SelectionCommand::Rename.into(),
+    ]));
     entries.push(MenuItem::Line);
     entries.push(MenuItem::Sub("menu-select", icons::ICON_SELECT_ALL, select_ui));
     entries.push(MenuItem::Sub("menu-material", icons::ICON_PALETTE, material_ui));
@@ -213,25 +221,26 @@ fn edit() -> Vec<MenuItem> {
 }
 
 fn add() -> Vec<MenuItem> {
-    let mut entries: Vec<MenuItem> = commands_of(ShapeKind::ALL.map(Command::AddBody)).collect();
+    let mut entries: Vec<MenuItem> = commands_of(ShapeKind::ALL.map(AddCommand::Body)).collect();
     entries.push(MenuItem::Line);
-    entries.extend(commands_of([Command::AddLight, Command::AddMaterial]));
+    entries.extend(commands_of([AddCommand::Light, AddCommand::Material]));
     entries
 }
 
 fn view() -> Vec<MenuItem> {
-    let mut entries: Vec<MenuItem> = commands_of([Command::FrameSelection, Command::FrameAll]).collect();
+    let mut entries: Vec<MenuItem> =
+        commands_of([CameraCommand::FrameSelection, CameraCommand::FrameAll]).collect();
     entries.push(MenuItem::Sub("menu-sides", icons::ICON_VIEW_IN_AR, sides_ui));
-    entries.extend(commands_of([Command::ToggleProjection, Command::ToggleFreeView]));
-    entries.extend(commands_of([Command::CameraFromView, Command::ToggleFly]));
+    entries.extend(commands_of([CameraCommand::ToggleProjection, CameraCommand::ToggleFreeView]));
+    entries.extend(commands_of([CameraCommand::FromView, CameraCommand::ToggleFly]));
     entries.push(MenuItem::Line);
     entries.push(MenuItem::Sub("menu-method", icons::ICON_FLARE, methods_ui));
     entries.push(MenuItem::Sub("menu-shown", icons::ICON_LAYERS, shown_ui));
-    entries.push(MenuItem::Do(Command::ToggleCard));
+    entries.push(MenuItem::Do(DisplayCommand::ToggleCard.into()));
     entries.push(MenuItem::Line);
-    entries.extend(commands_of([Tool::Move, Tool::Rotate, Tool::Scale].map(Command::Tool)));
-    entries.push(MenuItem::Do(Command::AimLight));
-    entries.extend(commands_of([Command::ToggleGizmoSpace, Command::ToggleGrid, Command::ToggleHandles]));
+    entries.extend(commands_of([Tool::Move, Tool::Rotate, Tool::Scale].map(ToolCommand::Take)));
+    entries.extend(commands_of([ToolCommand::AimLight, ToolCommand::ToggleGizmoSpace]));
+    entries.extend(commands_of([DisplayCommand::ToggleGrid, DisplayCommand::ToggleHandles]));
     entries.push(MenuItem::Line);
     entries.push(MenuItem::Sub("menu-panels", icons::ICON_DASHBOARD, panels_ui));
     entries.push(MenuItem::Sub("menu-theme", icons::ICON_CONTRAST, theme_ui));
@@ -247,13 +256,13 @@ fn lab() -> Vec<MenuItem> {
     entries.extend(commands_of([Previous, Next, All, Play].map(audit)));
     entries.extend(commands_of([Copy, Save, Release].map(audit)));
     entries.push(MenuItem::Line);
-    entries.push(MenuItem::Do(Command::ToggleExact));
+    entries.push(MenuItem::Do(DisplayCommand::ToggleExact.into()));
     entries.push(MenuItem::Sub("menu-map", icons::ICON_STACKS, maps_ui));
     entries.push(MenuItem::Line);
-    entries.push(MenuItem::Do(Command::TogglePane(Pane::Compare)));
+    entries.push(MenuItem::Do(WindowCommand::TogglePane(Pane::Compare).into()));
     entries.extend(commands_of([CompareCommand::Swap, CompareCommand::Save].map(compare)));
     entries.push(MenuItem::Line);
-    entries.push(MenuItem::Do(Command::TogglePane(Pane::Measure)));
+    entries.push(MenuItem::Do(WindowCommand::TogglePane(Pane::Measure).into()));
     entries.extend(commands_of(
         [MeasureCommand::Start, MeasureCommand::Stop, MeasureCommand::Save].map(measure),
     ));
@@ -261,16 +270,22 @@ fn lab() -> Vec<MenuItem> {
 }
 
 fn help() -> Vec<MenuItem> {
-    let mut entries: Vec<MenuItem> = commands_of([Command::Manual, Command::Palette]).collect();
+    let mut entries =
+        vec![MenuItem::Do(HelpCommand::Manual.into()), MenuItem::Do(WindowCommand::Palette.into())];
     entries.push(MenuItem::Line);
-    entries.extend(commands_of([Command::FirstSteps, Command::ExampleNote]));
-    entries.extend(commands_of([Command::Terms, Command::Shortcuts]));
+    entries.extend(commands_of([HelpCommand::FirstSteps, HelpCommand::ExampleNote]));
+    entries.extend(commands_of([HelpCommand::Terms, HelpCommand::Shortcuts]));
     entries.push(MenuItem::Line);
-    entries.push(MenuItem::Do(Command::About));
+    entries.push(MenuItem::Do(HelpCommand::About.into()));
     entries
 }
 
-fn do_ui<const N: usize>(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>, list: [Command; N]) {
+fn do_ui<const N: usize>(
+    ui: &mut Ui,
+    studio: &Studio,
+    commands: &mut Vec<Command>,
+    list: [impl Into<Command>; N],
+) {
     entries_ui(ui, studio, commands_of(list).collect(), commands, None);
 }
 
@@ -282,7 +297,7 @@ fn select_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
 
 fn material_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
     use Action::{MakeMaterialUnique, RemoveUnusedMaterials, ShareMaterial};
-    do_ui(ui, studio, commands, [Command::TogglePane(Pane::Materials)]);
+    do_ui(ui, studio, commands, [WindowCommand::TogglePane(Pane::Materials)]);
     ui.separator();
     do_ui(
         ui,
@@ -293,21 +308,21 @@ fn material_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
 }
 
 fn sides_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
-    do_ui(ui, studio, commands, ViewSide::ALL.map(Command::LookAlong));
+    do_ui(ui, studio, commands, ViewSide::ALL.map(CameraCommand::LookAlong));
 }
 
 fn maps_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
-    do_ui(ui, studio, commands, [Command::Map(None)]);
+    do_ui(ui, studio, commands, [DisplayCommand::Map(None)]);
     ui.separator();
-    do_ui(ui, studio, commands, MapKind::ALL.map(|kind| Command::Map(Some(kind))));
+    do_ui(ui, studio, commands, MapKind::ALL.map(|kind| DisplayCommand::Map(Some(kind))));
 }
 
 fn methods_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
-    do_ui(ui, studio, commands, MethodKind::ALL.map(Command::Method));
+    do_ui(ui, studio, commands, MethodKind::ALL.map(DisplayCommand::Method));
 }
 
 fn shown_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
-    do_ui(ui, studio, commands, methods::ALL_SHOWN.map(Command::Show));
+    do_ui(ui, studio, commands, methods::ALL_SHOWN.map(DisplayCommand::Show));
 }
 
 fn panels_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
@@ -322,21 +337,21 @@ fn panels_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
         Pane::Materials,
         Pane::Viewport,
     ];
-    do_ui(ui, studio, commands, panes.map(Command::TogglePane));
+    do_ui(ui, studio, commands, panes.map(WindowCommand::TogglePane));
     ui.separator();
-    do_ui(ui, studio, commands, [Command::ResetLayout]);
+    do_ui(ui, studio, commands, [WindowCommand::ResetLayout]);
 }
 
 fn theme_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
-    do_ui(ui, studio, commands, [Theme::Dark, Theme::Light, Theme::System].map(Command::Theme));
+    do_ui(ui, studio, commands, [Theme::Dark, Theme::Light, Theme::System].map(WindowCommand::Theme));
 }
 
 fn language_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
-    do_ui(ui, studio, commands, Language::ALL.map(Command::Language));
+    do_ui(ui, studio, commands, Language::ALL.map(WindowCommand::Language));
 }
 
 fn zoom_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
-    do_ui(ui, studio, commands, [ZoomStep::In, ZoomStep::Out, ZoomStep::Normal].map(Command::Zoom));
+    do_ui(ui, studio, commands, [ZoomStep::In, ZoomStep::Out, ZoomStep::Normal].map(WindowCommand::Zoom));
 }
 
 /// The pass in which the recent files were shown last.
@@ -370,7 +385,7 @@ fn recent_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
         let button = Button::new((icons::ICON_DESCRIPTION.rich_text(), text));
         let response = ui.add(button).accessible_name(name.as_ref());
         if tip_beside_entry(response, &path.display().to_string()).clicked() {
-            commands.push(Command::OpenFile(path.clone()));
+            commands.push(FileCommand::OpenFile(path.clone()).into());
             ui.close();
         }
     }
@@ -378,7 +393,7 @@ fn recent_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
 
 /// The built-in scenes, and all of them with pictures.
 fn examples_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
-    do_ui(ui, studio, commands, [Command::Examples]);
+    do_ui(ui, studio, commands, [FileCommand::Examples]);
     ui.separator();
     let room = (ui.ctx().content_rect().height() - 190.0).max(120.0);
     let height = room.min(Example::ALL.len() as f32 * (ui.spacing().interact_size.y + 1.0));
@@ -386,7 +401,7 @@ fn examples_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
         for example in Example::ALL {
             let title = example_title(example, studio.texts.language());
             if ui.button(title).clicked() {
-                commands.push(Command::OpenExample(example.name));
+                commands.push(FileCommand::OpenExample(example.name).into());
                 ui.close();
             }
         }

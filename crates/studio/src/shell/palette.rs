@@ -101,7 +101,12 @@ impl OpenPalette {
             .entries
             .iter()
             .enumerate()
-            .filter_map(|(place, entry)| Some((queries.best(entry.names.iter().map(String::as_str))?, place)))
+            .filter_map(|(place, entry)| {
+                // Names shown have no point within a word, so that one that is typed asks for a stable name.
+                let stable_name = entry.stable_name.filter(|_| self.query.contains('.'));
+                let names = entry.names.iter().map(String::as_str).chain(stable_name);
+                Some((queries.best(names)?, place))
+            })
             .collect();
         found.sort_by_key(|&(score, place)| (-score, place));
         found.truncate(MOST);

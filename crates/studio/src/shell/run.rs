@@ -11,115 +11,149 @@ use crate::shell::help::HelpTopic;
 use crate::shell::studio::Studio;
 use crate::shell::studio::dialogs::MessageDialog;
 use crate::shell::{
-    audit, camera, card, compare, documents, examples, images, measure, palette, pictures, render_dialog,
+    audit, camera, card, compare, documents, images, measure, palette, pictures, render_dialog,
 };
-use crate::state::command::{Command, ZoomStep};
+use crate::state::command::{
+    AddCommand, CameraCommand, Command, DisplayCommand, HelpCommand, PictureCommand, SelectionCommand,
+    ToolCommand, WindowCommand, ZoomStep,
+};
 use crate::state::layout::{self, Pane};
 use crate::state::methods;
 
 /// Does `command`.
 pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
     match command {
-        Command::New
-        | Command::Open
-        | Command::OpenFile(_)
-        | Command::OpenExample(_)
-        | Command::Revert
-        | Command::Save
-        | Command::SaveAs
-        | Command::Quit => documents::run(context, studio, command),
-        Command::AddBody(_) | Command::AddLight | Command::AddMaterial => add(studio, &command),
-        Command::ChooseImage(usage) => images::ask(studio, usage),
+        Command::File(act) => documents::run(context, studio, act),
+        Command::Picture(act) => picture(context, studio, act),
         Command::Edit(action) => apply(studio, action),
-        Command::Copy => copy(context, studio),
-        Command::Cut => {
+        Command::Selection(act) => selection(context, studio, act),
+        Command::Add(act) => add(studio, act),
+        Command::Camera(act) => look(context, studio, act),
+        Command::Display(act) => display(studio, act),
+        Command::Tool(act) => match act {
+            ToolCommand::Take(tool) => studio.view.take_tool(tool),
+            ToolCommand::AimLight => studio.view.toggle_aiming(),
+            ToolCommand::ToggleGizmoSpace => studio.view.is_gizmo_local = !studio.view.is_gizmo_local,
+        },
+        Command::Audit(act) => audit::run(context, studio, act),
+        Command::Compare(act) => compare::run(studio, act),
+        Command::Measure(act) => measure::run(context, studio, act),
+        Command::Window(act) => window(context, studio, act),
+        Command::Help(act) => explain(context, studio, act),
+    }
+}
+
+fn picture(context: &Context, studio: &mut Studio, act: PictureCommand) {
+    match act {
+        PictureCommand::Render => render_dialog::open(studio),
+        PictureCommand::RenderShown => pictures::start_shown(studio),
+        PictureCommand::Copy => pictures::copy_viewport(context, studio),
+        PictureCommand::Choose(usage) => images::ask(studio, usage),
+    }
+}
+
+fn selection(context: &Context, studio: &mut Studio, act: SelectionCommand) {
+    match act {
+        SelectionCommand::Copy => copy(context, studio),
+        SelectionCommand::Cut => {
             copy(context, studio);
             apply(studio, Action::Cut);
         }
         // The text comes with a later event; see `shortcuts`.
-        Command::Paste => {
+        SelectionCommand::Paste => {
             studio.keys.is_paste_asked = true;
             context.send_viewport_cmd(ViewportCommand::RequestPaste);
         }
-        Command::ToggleFreeView
-        | Command::CameraFromView
-        | Command::FrameSelection
-        | Command::FrameAll
-        | Command::LookAlong(_)
-        | Command::ToggleProjection
-        | Command::ToggleFly => look(context, studio, &command),
-        Command::Method(kind) => studio.settings.methods.choose(kind),
-        Command::Show(shows) => {
-            if methods::has(&studio.settings.methods.method(), shows) {
-                studio.view.shows = shows;
-            }
-        }
-        Command::Tool(tool) => studio.view.take_tool(tool),
-        Command::AimLight => studio.view.toggle_aiming(),
-        Command::Audit(_)
-        | Command::Map(_)
-        | Command::ToggleExact
-        | Command::Compare(_)
-        | Command::Measure(_) => experiment(context, studio, &command),
-        Command::ToggleGizmoSpace | Command::ToggleGrid | Command::ToggleHandles => switch(studio, &command),
-        Command::ToggleCard => card::toggle(studio),
-        Command::TogglePane(pane) => toggle(studio, pane),
-        Command::ResetLayout => studio.layout = layout::default_layout(),
-        Command::Zoom(step) => zoom(context, studio, step),
-        Command::Theme(theme) => {
-            studio.settings.theme = theme;
-            theme::choose(context, theme);
-        }
-        Command::Language(language) => {
-            studio.settings.language = language;
-            studio.texts = Texts::new(language);
-        }
-        Command::Rename => rename(studio),
-        Command::Palette => open_palette(context, studio),
-        Command::FocusMenu => studio.menu_focus.toggle(context),
-        Command::Manual
-        | Command::ExampleNote
-        | Command::Shortcuts
-        | Command::Terms
-        | Command::About
-        | Command::FirstSteps => explain(context, studio, &command),
-        Command::Examples => examples::open(studio),
-        Command::Render => render_dialog::open(studio),
-        Command::RenderShown => pictures::start_shown(studio),
-        Command::CopyPicture => pictures::copy_viewport(context, studio),
+        SelectionCommand::Rename => rename(studio),
     }
 }
 
 /// Adds something to the scene where it is seen, with a name in the language of the window.
-fn add(studio: &mut Studio, command: &Command) {
+fn add(studio: &mut Studio, act: AddCommand) {
     let named = |key: &str| studio.texts.get(key).to_owned();
     let (scene, view, seen, live) =
         (studio.editor.scene(), &studio.view, &studio.panes.viewport, &studio.live);
-    let action = match *command {
-        Command::AddBody(shape) => {
-            let (placement, name) =
-                (viewport::placement_for_body(scene, view, seen, live, shape), named(shape_name(shape)));
-            Action::AddBody { shape, placement, name }
+    let action = match act {
+        AddCommand::Body(shape) => {
+            let placement = viewport::placement_for_body(scene, view, seen, live, shape);
+            Action::AddBody { shape, placement, name: named(shape_name(shape)) }
         }
-        Command::AddLight => Action::AddLight {
+        AddCommand::Light => Action::AddLight {
             at: viewport::place_for_light(scene, view, seen, live),
             name: named("name-light"),
         },
-        _ => Action::AddMaterial { name: named("name-material") },
+        AddCommand::Material => Action::AddMaterial { name: named("name-material") },
     };
     apply(studio, action);
 }
 
+fn look(context: &Context, studio: &mut Studio, act: CameraCommand) {
+    match act {
+        CameraCommand::ToggleFreeView => camera::toggle_free(studio),
+        CameraCommand::FromView => {
+            if let Some(camera) = studio.view.free_camera.take() {
+                camera::set_scene_camera(studio, "edit-camera-from-view", camera);
+            }
+        }
+        CameraCommand::FrameSelection => camera::frame(studio, false),
+        CameraCommand::FrameAll => camera::frame(studio, true),
+        CameraCommand::LookAlong(axis) => camera::look_along(studio, axis),
+        CameraCommand::ToggleProjection => {
+            let camera = studio.view.camera(studio.editor.scene());
+            camera::set_camera(studio, "edit-projection", navigate::toggle_projection(&camera));
+        }
+        CameraCommand::ToggleFly => {
+            studio.view.is_flying = !studio.view.is_flying;
+            // The keys of flight must not choose rows of a list.
+            context.memory_mut(egui::Memory::stop_text_input);
+        }
+    }
+}
+
+fn display(studio: &mut Studio, act: DisplayCommand) {
+    let settings = &mut studio.settings;
+    match act {
+        DisplayCommand::Method(kind) => settings.methods.choose(kind),
+        DisplayCommand::Show(shows) => {
+            if methods::has(&settings.methods.method(), shows) {
+                studio.view.shows = shows;
+            }
+        }
+        DisplayCommand::Map(kind) => studio.maps.kind = kind,
+        DisplayCommand::ToggleExact => studio.exact.is_on = !studio.exact.is_on,
+        DisplayCommand::ToggleGrid => settings.shows_grid = !settings.shows_grid,
+        DisplayCommand::ToggleHandles => settings.shows_handles = !settings.shows_handles,
+        DisplayCommand::ToggleCard => card::toggle(studio),
+    }
+}
+
+fn window(context: &Context, studio: &mut Studio, act: WindowCommand) {
+    match act {
+        WindowCommand::TogglePane(pane) => toggle(studio, pane),
+        WindowCommand::ResetLayout => studio.layout = layout::default_layout(),
+        WindowCommand::Zoom(step) => zoom(context, studio, step),
+        WindowCommand::Theme(theme) => {
+            studio.settings.theme = theme;
+            theme::choose(context, theme);
+        }
+        WindowCommand::Language(language) => {
+            studio.settings.language = language;
+            studio.texts = Texts::new(language);
+        }
+        WindowCommand::Palette => open_palette(context, studio),
+        WindowCommand::FocusMenu => studio.menu_focus.toggle(context),
+    }
+}
+
 /// Opens what explains the studio or the scene.
-fn explain(context: &Context, studio: &mut Studio, command: &Command) {
-    match command {
-        Command::Manual => studio.manual.open(context),
-        Command::ExampleNote => toggle_example_note(studio),
-        Command::Shortcuts => studio.help.open(context, HelpTopic::Shortcuts),
-        Command::Terms => studio.help.open(context, HelpTopic::Terms),
-        Command::About => studio.help.open(context, HelpTopic::About),
-        Command::FirstSteps => open_first_steps(studio),
-        _ => {}
+fn explain(context: &Context, studio: &mut Studio, act: HelpCommand) {
+    match act {
+        HelpCommand::Manual => studio.manual.open(context),
+        HelpCommand::ExampleNote => toggle_example_note(studio),
+        HelpCommand::Shortcuts => studio.help.open(context, HelpTopic::Shortcuts),
+        HelpCommand::Terms => studio.help.open(context, HelpTopic::Terms),
+        HelpCommand::About => studio.help.open(context, HelpTopic::About),
+        HelpCommand::FirstSteps => open_first_steps(studio),
     }
 }
 
@@ -141,54 +175,6 @@ fn open_first_steps(studio: &mut Studio) {
     let mut steps = std::mem::take(&mut studio.first_steps);
     steps.open(&mut studio.cx());
     studio.first_steps = steps;
-}
-
-/// Looks into the picture with the laboratory.
-fn experiment(context: &Context, studio: &mut Studio, command: &Command) {
-    match *command {
-        Command::Audit(act) => audit::run(context, studio, act),
-        Command::Map(kind) => studio.maps.kind = kind,
-        Command::ToggleExact => studio.exact.is_on = !studio.exact.is_on,
-        Command::Compare(act) => compare::run(studio, act),
-        Command::Measure(act) => measure::run(context, studio, act),
-        _ => {}
-    }
-}
-
-/// Does what concerns the camera.
-fn look(context: &Context, studio: &mut Studio, command: &Command) {
-    match command {
-        Command::ToggleFreeView => camera::toggle_free(studio),
-        Command::CameraFromView => {
-            if let Some(camera) = studio.view.free_camera.take() {
-                camera::set_scene_camera(studio, "edit-camera-from-view", camera);
-            }
-        }
-        Command::FrameSelection => camera::frame(studio, false),
-        Command::FrameAll => camera::frame(studio, true),
-        Command::LookAlong(axis) => camera::look_along(studio, *axis),
-        Command::ToggleProjection => {
-            let camera = studio.view.camera(studio.editor.scene());
-            camera::set_camera(studio, "edit-projection", navigate::toggle_projection(&camera));
-        }
-        Command::ToggleFly => {
-            studio.view.is_flying = !studio.view.is_flying;
-            // The keys of flight must not choose rows of a list.
-            context.memory_mut(egui::Memory::stop_text_input);
-        }
-        _ => {}
-    }
-}
-
-/// Shows or hides what lies over the picture.
-fn switch(studio: &mut Studio, command: &Command) {
-    let is_on = match command {
-        Command::ToggleGizmoSpace => &mut studio.view.is_gizmo_local,
-        Command::ToggleGrid => &mut studio.settings.shows_grid,
-        Command::ToggleHandles => &mut studio.settings.shows_handles,
-        _ => return,
-    };
-    *is_on = !*is_on;
 }
 
 /// Shows or hides a panel.

@@ -4,7 +4,7 @@ use catoptric_editor::Action;
 use egui::{Context, Event, Key, KeyboardShortcut, Modifiers, Popup, Ui};
 
 use crate::shell::studio::Studio;
-use crate::state::command::{Command, ZoomStep};
+use crate::state::command::{CameraCommand, Command, SelectionCommand, WindowCommand, ZoomStep};
 
 /// Other users of the keyboard, which take precedence over shortcuts.
 #[derive(Clone, Copy, Debug, Default)]
@@ -54,7 +54,7 @@ pub(crate) fn collect(ui: &mut Ui, studio: &mut Studio) {
         }
     }
     if studio.menu_focus.is_alt_tapped(&context) && !is_behind && !is_dragging {
-        commands.push(Command::FocusMenu);
+        commands.push(WindowCommand::FocusMenu.into());
     }
     if std::mem::take(&mut studio.keys.is_paste_asked) {
         take_paste(&context, &mut commands);
@@ -69,8 +69,8 @@ fn collect_clipboard(context: &Context, commands: &mut Vec<Command>) {
     context.input_mut(|input| {
         input.events.retain(|event| {
             commands.push(match event {
-                Event::Copy => Command::Copy,
-                Event::Cut => Command::Cut,
+                Event::Copy => SelectionCommand::Copy.into(),
+                Event::Cut => SelectionCommand::Cut.into(),
                 Event::Paste(text) => Command::Edit(Action::Paste(text.clone())),
                 _ => return true,
             });
@@ -135,7 +135,7 @@ fn is_heard(command: &Command, shortcut: KeyboardShortcut, listeners: KeyboardLi
     if listeners.is_menu_open {
         return !is_bare;
     }
-    !(listeners.is_flying && is_bare && *command != Command::ToggleFly)
+    !(listeners.is_flying && is_bare && *command != Command::Camera(CameraCommand::ToggleFly))
 }
 
 /// Whether holding the key does it again and again.
@@ -144,7 +144,7 @@ fn can_repeat(command: &Command) -> bool {
     matches!(
         command,
         Command::Edit(Undo | Redo | SelectNext | SelectPrevious | MoveUp | MoveDown)
-            | Command::Zoom(ZoomStep::In | ZoomStep::Out)
+            | Command::Window(WindowCommand::Zoom(ZoomStep::In | ZoomStep::Out))
     )
 }
 
@@ -165,7 +165,7 @@ mod tests {
         use catoptric_editor::navigate::ViewSide;
         // Russian: `?` on Shift+7.
         let bottom = press(Key::Questionmark, Key::Num7, Modifiers::SHIFT);
-        assert_eq!(heard(&bottom), Some(&Command::LookAlong(ViewSide::Bottom)));
+        assert_eq!(heard(&bottom), Some(&CameraCommand::LookAlong(ViewSide::Bottom).into()));
         // German: `+` beside the return key, where ] is.
         let next = press(Key::Plus, Key::CloseBracket, Modifiers::NONE);
         assert_eq!(heard(&next), Some(&Command::Edit(Action::SelectNext)));

@@ -201,8 +201,8 @@ impl Studio {
     }
 
     /// Has `command` done at the end of the next frame.
-    pub fn run(&mut self, command: Command) {
-        self.commands.push(command);
+    pub fn run(&mut self, command: impl Into<Command>) {
+        self.commands.push(command.into());
     }
 
     /// The parts that panels see.

@@ -18,9 +18,40 @@ use crate::base::theme::Theme;
 use crate::state::images::ImageUse;
 use crate::state::layout::Pane;
 
-/// A discrete act.
+/// A discrete act. Acts of one area stand in a sum of their own; each sum converts into a command.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Command {
+    /// Open, save, leave.
+    File(FileCommand),
+    /// Make pictures, or take them into the scene.
+    Picture(PictureCommand),
+    /// Change the document.
+    Edit(Action),
+    /// Do something with the selected things that the document does not know.
+    Selection(SelectionCommand),
+    /// Add something where the view looks.
+    Add(AddCommand),
+    /// Move the camera of the view.
+    Camera(CameraCommand),
+    /// Choose what the viewport shows.
+    Display(DisplayCommand),
+    /// Choose what the pointer does in the picture.
+    Tool(ToolCommand),
+    /// Look into a pixel.
+    Audit(AuditCommand),
+    /// Compare pictures.
+    Compare(CompareCommand),
+    /// Measure times.
+    Measure(MeasureCommand),
+    /// Change the window.
+    Window(WindowCommand),
+    /// Explain the studio or the scene.
+    Help(HelpCommand),
+}
+
+/// A command about the document as a whole.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FileCommand {
     /// An empty scene.
     New,
     /// Ask for a scene file and open it.
@@ -37,24 +68,26 @@ pub enum Command {
     Save,
     /// Ask for a file and write the scene to it.
     SaveAs,
+    /// Close the window.
+    Quit,
+}
+
+/// A command about pictures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum PictureCommand {
     /// Make a picture file.
     Render,
     /// Make a picture of what the viewport shows, to be saved.
     RenderShown,
     /// Copy the picture of the viewport to the clipboard.
-    CopyPicture,
-    /// Close the window.
-    Quit,
-    /// Add a body where the view looks.
-    AddBody(ShapeKind),
-    /// Add a light above where the view looks.
-    AddLight,
-    /// Add a material that bodies can share.
-    AddMaterial,
+    Copy,
     /// Ask for a picture that the scene uses.
-    ChooseImage(ImageUse),
-    /// Change the document.
-    Edit(Action),
+    Choose(ImageUse),
+}
+
+/// A command about the selected things.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum SelectionCommand {
     /// Put the selected bodies and lights into the clipboard as text.
     Copy,
     /// Copy, then delete.
@@ -63,6 +96,22 @@ pub enum Command {
     Paste,
     /// Type another name for the selected thing.
     Rename,
+}
+
+/// A command that adds something to the scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum AddCommand {
+    /// A body where the view looks.
+    Body(ShapeKind),
+    /// A light above where the view looks.
+    Light,
+    /// A material that bodies can share.
+    Material,
+}
+
+/// A command about the camera of the view.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum CameraCommand {
     /// Bring the selection into view.
     FrameSelection,
     /// Bring all bodies into view.
@@ -74,35 +123,44 @@ pub enum Command {
     /// Look around without moving the scene's camera, or back through it.
     ToggleFreeView,
     /// Put the scene's camera where the free view is.
-    CameraFromView,
+    FromView,
     /// Fly with the keys.
     ToggleFly,
+}
+
+/// A command about what the viewport shows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum DisplayCommand {
     /// Choose how the picture is drawn.
     Method(MethodKind),
     /// Choose what of the drawing is seen.
     Show(DisplayContent),
-    /// Choose what the gizmo does.
-    Tool(Tool),
-    /// Drags in the picture move a light by its highlight or its shadow, or no longer do.
-    AimLight,
-    /// Gizmo along the world's axes or the body's own.
-    ToggleGizmoSpace,
-    /// Look into a pixel.
-    Audit(AuditCommand),
     /// Show a map over the picture, or the picture alone.
     Map(Option<MapKind>),
     /// Draw where images, focal points and highlights must be.
     ToggleExact,
-    /// Compare pictures.
-    Compare(CompareCommand),
-    /// Measure times.
-    Measure(MeasureCommand),
     /// Ground grid and axes.
     ToggleGrid,
-    /// The graphics card draws the picture, or the processor.
-    ToggleCard,
     /// Lights and gizmo over the picture.
     ToggleHandles,
+    /// The graphics card draws the picture, or the processor.
+    ToggleCard,
+}
+
+/// A command about what the pointer does in the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ToolCommand {
+    /// Choose what the gizmo does.
+    Take(Tool),
+    /// Drags in the picture move a light by its highlight or its shadow, or no longer do.
+    AimLight,
+    /// Gizmo along the world's axes or the body's own.
+    ToggleGizmoSpace,
+}
+
+/// A command about the window.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum WindowCommand {
     /// Show or hide a panel.
     TogglePane(Pane),
     /// The first arrangement of the panels.
@@ -117,6 +175,11 @@ pub enum Command {
     Palette,
     /// Give the keyboard to the menu bar.
     FocusMenu,
+}
+
+/// A command that explains something.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum HelpCommand {
     /// What to notice in the example that is open.
     ExampleNote,
     /// The documents, to be read in the window.
@@ -254,9 +317,12 @@ impl CommandGroup {
     }
 }
 
-/// The icon, message and shortcuts of a command.
+/// The name, message, icon and shortcuts of a command.
 #[derive(Clone, Copy, Debug)]
 pub struct CommandStyle {
+    /// The name by which programs and tests ask for it, such as `view.method.ssr`. It stays as it is in all languages
+    /// and versions.
+    pub name: &'static str,
     /// The message that names it; its attribute `.tip` explains it.
     pub key: &'static str,
     /// The command's icon.
@@ -277,4 +343,42 @@ impl Command {
     pub fn look(&self) -> Option<&'static CommandStyle> {
         table::ROWS.iter().find(|row| row.command == *self).map(|row| &row.look)
     }
+
+    /// Its stable name, such as `edit.duplicate`; `None` for a command of which there is one for each file, example or
+    /// thing.
+    pub fn name(&self) -> Option<&'static str> {
+        self.look().map(|look| look.name)
+    }
+
+    /// The command with a stable name.
+    pub fn from_name(name: &str) -> Option<&'static Self> {
+        table::ROWS.iter().find(|row| row.look.name == name).map(|row| &row.command)
+    }
+}
+
+/// Each sum of an area as a command.
+macro_rules! into_command {
+    ($($variant:ident: $sum:ty),+ $(,)?) => {
+        $(impl From<$sum> for Command {
+            fn from(act: $sum) -> Self {
+                Self::$variant(act)
+            }
+        })+
+    };
+}
+
+into_command! {
+    File: FileCommand,
+    Picture: PictureCommand,
+    Edit: Action,
+    Selection: SelectionCommand,
+    Add: AddCommand,
+    Camera: CameraCommand,
+    Display: DisplayCommand,
+    Tool: ToolCommand,
+    Audit: AuditCommand,
+    Compare: CompareCommand,
+    Measure: MeasureCommand,
+    Window: WindowCommand,
+    Help: HelpCommand,
 }

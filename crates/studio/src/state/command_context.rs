@@ -7,7 +7,10 @@ use egui_tiles::Tree;
 use crate::base::texts::Texts;
 use crate::state::audit::AuditState;
 use crate::state::card::WindowCard;
-use crate::state::command::{AuditCommand, Command, CompareCommand, MeasureCommand};
+use crate::state::command::{
+    AddCommand, AuditCommand, CameraCommand, Command, CompareCommand, DisplayCommand, FileCommand,
+    HelpCommand, MeasureCommand, PictureCommand, SelectionCommand, ToolCommand, WindowCommand,
+};
 use crate::state::context::Cx;
 use crate::state::exact::ExactState;
 use crate::state::layout::{self, Pane};
@@ -67,35 +70,104 @@ impl Cx<'_> {
 impl CommandContext<'_> {
     /// Whether there is something that `command` could be done to.
     pub(crate) fn can(&self, command: &Command) -> bool {
-        let selection = self.editor.selection();
         match command {
             Command::Edit(action) => self.editor.can(action),
-            Command::Cut => self.editor.can(&Action::Cut),
-            Command::Copy => selection
-                .iter()
-                .any(|item| matches!(item, Item::Body(_) | Item::Light(_) | Item::Material(_))),
-            Command::Rename => {
-                matches!(selection.primary(), Some(Item::Body(_) | Item::Light(_) | Item::Material(_)))
+            Command::File(act) => self.can_file(act),
+            Command::Picture(act) => self.can_picture(*act),
+            Command::Selection(act) => self.can_select(*act),
+            Command::Camera(act) => self.can_look(*act),
+            Command::Display(act) => self.can_display(*act),
+            Command::Tool(ToolCommand::AimLight) => {
+                self.view.is_aiming || !self.editor.scene().lights.is_empty()
             }
-            Command::ToggleCard => self.card.is_there(),
-            Command::ExampleNote => self.example_note.is_some(),
-            Command::Revert => self.editor.path().is_some(),
-            Command::Show(shows) => methods::has(&self.settings.methods.method(), *shows),
-            Command::Render => !self.view.is_measuring,
-            Command::RenderShown => self.live.latest().is_some() && !self.view.is_measuring,
-            Command::CopyPicture => self.live.latest().is_some(),
+            Command::Audit(act) => self.can_audit(*act),
             Command::Compare(CompareCommand::Save) => self.lab.is_some_and(|lab| lab.is_compared),
             Command::Measure(act) => self.lab.is_some_and(|lab| match act {
                 MeasureCommand::Start => !lab.is_measuring,
                 MeasureCommand::Stop => lab.is_measuring,
                 MeasureCommand::Save => lab.is_measured && !lab.is_measuring,
             }),
-            Command::FrameSelection => selection.bodies().next().or(selection.lights().next()).is_some(),
-            Command::FrameAll => !self.editor.scene().bodies.is_empty(),
-            Command::CameraFromView => self.view.free_camera.is_some(),
-            Command::AimLight => self.view.is_aiming || !self.editor.scene().lights.is_empty(),
-            Command::Audit(act) => self.can_audit(*act),
-            _ => true,
+            Command::Help(HelpCommand::ExampleNote) => self.example_note.is_some(),
+            Command::Add(AddCommand::Body(_) | AddCommand::Light | AddCommand::Material)
+            | Command::Tool(ToolCommand::Take(_) | ToolCommand::ToggleGizmoSpace)
+            | Command::Compare(CompareCommand::Swap | CompareCommand::FileA | CompareCommand::FileB)
+            | Command::Window(
+                WindowCommand::TogglePane(_)
+                | WindowCommand::ResetLayout
+                | WindowCommand::Zoom(_)
+                | WindowCommand::Theme(_)
+                | WindowCommand::Language(_)
+                | WindowCommand::Palette
+                | WindowCommand::FocusMenu,
+            )
+            | Command::Help(
+                HelpCommand::Manual
+                | HelpCommand::Shortcuts
+                | HelpCommand::Terms
+                | HelpCommand::FirstSteps
+                | HelpCommand::About,
+            ) => true,
+        }
+    }
+
+    fn can_file(&self, act: &FileCommand) -> bool {
+        match act {
+            FileCommand::Revert => self.editor.path().is_some(),
+            FileCommand::New
+            | FileCommand::Open
+            | FileCommand::OpenFile(_)
+            | FileCommand::Examples
+            | FileCommand::OpenExample(_)
+            | FileCommand::Save
+            | FileCommand::SaveAs
+            | FileCommand::Quit => true,
+        }
+    }
+
+    fn can_picture(&self, act: PictureCommand) -> bool {
+        match act {
+            PictureCommand::Render => !self.view.is_measuring,
+            PictureCommand::RenderShown => self.live.latest().is_some() && !self.view.is_measuring,
+            PictureCommand::Copy => self.live.latest().is_some(),
+            PictureCommand::Choose(_) => true,
+        }
+    }
+
+    fn can_select(&self, act: SelectionCommand) -> bool {
+        let selection = self.editor.selection();
+        let is_named = |item| matches!(item, Item::Body(_) | Item::Light(_) | Item::Material(_));
+        match act {
+            SelectionCommand::Cut => self.editor.can(&Action::Cut),
+            SelectionCommand::Copy => selection.iter().any(is_named),
+            SelectionCommand::Rename => selection.primary().is_some_and(is_named),
+            SelectionCommand::Paste => true,
+        }
+    }
+
+    fn can_look(&self, act: CameraCommand) -> bool {
+        let selection = self.editor.selection();
+        match act {
+            CameraCommand::FrameSelection => {
+                selection.bodies().next().or(selection.lights().next()).is_some()
+            }
+            CameraCommand::FrameAll => !self.editor.scene().bodies.is_empty(),
+            CameraCommand::FromView => self.view.free_camera.is_some(),
+            CameraCommand::LookAlong(_)
+            | CameraCommand::ToggleProjection
+            | CameraCommand::ToggleFreeView
+            | CameraCommand::ToggleFly => true,
+        }
+    }
+
+    fn can_display(&self, act: DisplayCommand) -> bool {
+        match act {
+            DisplayCommand::ToggleCard => self.card.is_there(),
+            DisplayCommand::Show(shows) => methods::has(&self.settings.methods.method(), shows),
+            DisplayCommand::Method(_)
+            | DisplayCommand::Map(_)
+            | DisplayCommand::ToggleExact
+            | DisplayCommand::ToggleGrid
+            | DisplayCommand::ToggleHandles => true,
         }
     }
 
@@ -115,35 +187,87 @@ impl CommandContext<'_> {
 
     /// Whether what `command` switches is on; `None` for a command that switches nothing.
     pub(crate) fn is_on(&self, command: &Command) -> Option<bool> {
-        Some(match command {
-            Command::ToggleFreeView => self.view.free_camera.is_some(),
-            Command::ToggleFly => self.view.is_flying,
-            Command::ToggleGizmoSpace => self.view.is_gizmo_local,
-            Command::ToggleGrid => self.settings.shows_grid,
-            Command::ToggleCard => self.card.is_on(),
-            Command::ToggleHandles => self.settings.shows_handles,
-            Command::ToggleProjection => {
+        match command {
+            Command::Camera(act) => self.is_camera_on(*act),
+            Command::Display(act) => Some(self.is_displayed(*act)),
+            Command::Tool(act) => Some(match *act {
+                ToolCommand::Take(tool) => {
+                    self.view.tool == tool && !self.view.is_auditing && !self.view.is_aiming
+                }
+                ToolCommand::AimLight => self.view.is_aiming,
+                ToolCommand::ToggleGizmoSpace => self.view.is_gizmo_local,
+            }),
+            Command::Audit(AuditCommand::Tool) => Some(self.view.is_auditing),
+            Command::Audit(AuditCommand::Play) => Some(self.audit.light.is_running),
+            Command::Window(act) => self.is_window_on(*act),
+            Command::Help(HelpCommand::ExampleNote) => self.example_note,
+            Command::File(_)
+            | Command::Picture(_)
+            | Command::Edit(_)
+            | Command::Selection(_)
+            | Command::Add(_)
+            | Command::Audit(
+                AuditCommand::Previous
+                | AuditCommand::Next
+                | AuditCommand::All
+                | AuditCommand::View
+                | AuditCommand::Copy
+                | AuditCommand::Save
+                | AuditCommand::Release,
+            )
+            | Command::Compare(_)
+            | Command::Measure(_)
+            | Command::Help(
+                HelpCommand::Manual
+                | HelpCommand::Shortcuts
+                | HelpCommand::Terms
+                | HelpCommand::FirstSteps
+                | HelpCommand::About,
+            ) => None,
+        }
+    }
+
+    fn is_camera_on(&self, act: CameraCommand) -> Option<bool> {
+        match act {
+            CameraCommand::ToggleFreeView => Some(self.view.free_camera.is_some()),
+            CameraCommand::ToggleFly => Some(self.view.is_flying),
+            CameraCommand::ToggleProjection => {
                 let camera = self.view.camera(self.editor.scene());
-                matches!(camera.projection, catoptric_scene::Projection::Parallel { .. })
+                Some(matches!(camera.projection, catoptric_scene::Projection::Parallel { .. }))
             }
-            Command::Method(kind) => self.settings.methods.kind() == *kind,
-            Command::Show(shows) => self.view.shows == *shows,
-            Command::Tool(tool) => self.view.tool == *tool && !self.view.is_auditing && !self.view.is_aiming,
-            Command::AimLight => self.view.is_aiming,
-            Command::Audit(AuditCommand::Tool) => self.view.is_auditing,
-            Command::Audit(AuditCommand::Play) => self.audit.light.is_running,
-            Command::ToggleExact => self.exact.is_on,
-            Command::Map(kind) => self.maps.kind == *kind,
-            Command::Theme(theme) => self.settings.theme == *theme,
-            Command::Language(language) => self.settings.language == *language,
-            Command::ExampleNote => self.example_note?,
-            Command::TogglePane(pane) => layout::is_in_front(self.layout?, *pane),
-            _ => return None,
-        })
+            CameraCommand::FrameSelection
+            | CameraCommand::FrameAll
+            | CameraCommand::LookAlong(_)
+            | CameraCommand::FromView => None,
+        }
+    }
+
+    fn is_displayed(&self, act: DisplayCommand) -> bool {
+        match act {
+            DisplayCommand::Method(kind) => self.settings.methods.kind() == kind,
+            DisplayCommand::Show(shows) => self.view.shows == shows,
+            DisplayCommand::Map(kind) => self.maps.kind == kind,
+            DisplayCommand::ToggleExact => self.exact.is_on,
+            DisplayCommand::ToggleGrid => self.settings.shows_grid,
+            DisplayCommand::ToggleHandles => self.settings.shows_handles,
+            DisplayCommand::ToggleCard => self.card.is_on(),
+        }
+    }
+
+    fn is_window_on(&self, act: WindowCommand) -> Option<bool> {
+        match act {
+            WindowCommand::TogglePane(pane) => Some(layout::is_in_front(self.layout?, pane)),
+            WindowCommand::Theme(theme) => Some(self.settings.theme == theme),
+            WindowCommand::Language(language) => Some(self.settings.language == language),
+            WindowCommand::ResetLayout
+            | WindowCommand::Zoom(_)
+            | WindowCommand::Palette
+            | WindowCommand::FocusMenu => None,
+        }
     }
 
     /// What to call `command` now: undoing tells what it undoes.
-    pub(crate) fn name(&self, command: &Command) -> String {
+    pub(crate) fn label(&self, command: &Command) -> String {
         let step = match command {
             Command::Edit(Action::Undo) => self.editor.undo_label().map(|label| ("undo-step", label)),
             Command::Edit(Action::Redo) => self.editor.redo_label().map(|label| ("redo-step", label)),
@@ -175,12 +299,9 @@ impl Command {
     pub(crate) fn is_choice(&self) -> bool {
         matches!(
             self,
-            Self::Tool(_)
-                | Self::Method(_)
-                | Self::Show(_)
-                | Self::Map(_)
-                | Self::Theme(_)
-                | Self::Language(_)
+            Self::Tool(ToolCommand::Take(_))
+                | Self::Display(DisplayCommand::Method(_) | DisplayCommand::Show(_) | DisplayCommand::Map(_))
+                | Self::Window(WindowCommand::Theme(_) | WindowCommand::Language(_))
         )
     }
 }

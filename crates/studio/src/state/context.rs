@@ -49,7 +49,7 @@ impl<'a> Cx<'a> {
     }
 
     /// Has `command` done at the end of the frame.
-    pub(crate) fn run(&mut self, command: Command) {
-        self.commands.push(command);
+    pub(crate) fn run(&mut self, command: impl Into<Command>) {
+        self.commands.push(command.into());
     }
 }

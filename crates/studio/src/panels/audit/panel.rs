@@ -162,7 +162,7 @@ fn button(ui: &mut Ui, cx: &mut Cx<'_>, act: AuditCommand) {
     let command = Command::Audit(act);
     let Some(look) = command.look() else { return };
     let situation = cx.situation();
-    let name = situation.name(&command);
+    let name = situation.label(&command);
     let tip = situation.tip(&command).map_or_else(|| name.clone(), |tip| format!("{name}\n{tip}"));
     let is_on = situation.is_on(&command) == Some(true);
     let can = situation.can(&command);

@@ -7,7 +7,7 @@ use super::header;
 use super::sheet::PropertySheet;
 use crate::base::widgets::row::control_width;
 use crate::base::widgets::tip::tip_beside;
-use crate::state::command::Command;
+use crate::state::command::PictureCommand;
 use crate::state::images::{self, ImageUse};
 
 /// A choice besides pictures.
@@ -68,7 +68,7 @@ pub(super) fn choice_ui<T, V: Copy>(
         tip_beside(ui, list.response.accessible_name(texts.get(key)), tip);
     });
     if asks {
-        sheet.cx.run(Command::ChooseImage(usage));
+        sheet.cx.run(PictureCommand::Choose(usage));
     }
     if image.is_some_and(|image| image.pixels().is_none() && sheet.cx.images.is_missing(image.source())) {
         header::hint(ui, texts.get("picture-not-there"));

@@ -22,7 +22,7 @@ use crate::base::widgets::section::section;
 use crate::base::widgets::tip::tip_beside;
 use crate::base::widgets::{ICON_BUTTON, explained_icon_button};
 use crate::panels::outliner::item_name;
-use crate::state::command::Command;
+use crate::state::command::{Command, WindowCommand};
 use crate::state::context::Cx;
 use crate::state::layout::Pane;
 
@@ -207,9 +207,9 @@ fn used_by(cx: &Cx<'_>, scene: &Scene, name: &str) -> String {
 
 /// The button that opens the panel of materials.
 fn browse_ui(ui: &mut Ui, cx: &mut Cx<'_>) {
-    let command = Command::TogglePane(Pane::Materials);
+    let command = Command::Window(WindowCommand::TogglePane(Pane::Materials));
     let (name, tip) =
-        (cx.situation().name(&command), cx.situation().tip(&command).unwrap_or_default().to_owned());
+        (cx.situation().label(&command), cx.situation().tip(&command).unwrap_or_default().to_owned());
     if explained_icon_button(ui, ICON_GRID_VIEW, &name, &format!("{name}\n{tip}"), false).clicked() {
         cx.run(command);
     }

@@ -14,7 +14,7 @@ use super::preview::MaterialPreview;
 use super::{MaterialBrowser, MaterialItem, MaterialSection, list_id};
 use crate::base::theme;
 use crate::base::widgets::paint_line_in;
-use crate::state::command::Command;
+use crate::state::command::WindowCommand;
 use crate::state::context::Cx;
 use crate::state::layout::Pane;
 
@@ -187,7 +187,7 @@ fn keys(ui: &Ui, cx: &mut Cx<'_>, browser: &mut MaterialBrowser, lines: &[Browse
     browser.scrolls |= browser.cursor != before;
     if pressed(Key::Escape) {
         ui.memory_mut(|memory| memory.surrender_focus(list_id()));
-        cx.run(Command::TogglePane(Pane::Materials));
+        cx.run(WindowCommand::TogglePane(Pane::Materials));
     }
     let enter = pressed(Key::Enter);
     pressed(Key::Space) || enter

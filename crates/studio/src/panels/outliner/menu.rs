@@ -6,7 +6,7 @@ use egui::{Popup, Response, Style, Ui};
 
 use super::rows::OutlinerSection;
 use crate::panels::menu_entry::{dress_menu, item};
-use crate::state::command::Command;
+use crate::state::command::{AddCommand, CameraCommand, Command, SelectionCommand};
 use crate::state::context::Cx;
 
 /// The menu of a row, for all that is selected.
@@ -33,15 +33,20 @@ pub(super) fn item_menu(response: &Response, cx: &mut Cx<'_>, thing: Item) {
 fn groups(thing: Item) -> Vec<Vec<Command>> {
     let edit = Command::Edit;
     if matches!(thing, Item::Camera | Item::Environment | Item::Tracing) {
-        return vec![vec![Command::FrameAll, Command::ToggleFreeView, Command::CameraFromView]];
+        let acts = [CameraCommand::FrameAll, CameraCommand::ToggleFreeView, CameraCommand::FromView];
+        return vec![acts.map(Command::from).into()];
     }
     let mut groups = vec![
-        vec![Command::Rename, edit(Action::Duplicate)],
-        vec![Command::Cut, Command::Copy, Command::Paste],
+        vec![SelectionCommand::Rename.into(), edit(Action::Duplicate)],
+        [SelectionCommand::Cut, SelectionCommand::Copy, SelectionCommand::Paste].map(Command::from).into(),
         vec![edit(Action::MoveUp), edit(Action::MoveDown)],
     ];
     if matches!(thing, Item::Body(_) | Item::Light(_)) {
-        groups.push(vec![edit(Action::ToggleHidden), edit(Action::ToggleLocked), Command::FrameSelection]);
+        groups.push(vec![
+            edit(Action::ToggleHidden),
+            edit(Action::ToggleLocked),
+            CameraCommand::FrameSelection.into(),
+        ]);
     }
     if matches!(thing, Item::Body(_)) {
         groups.push(vec![edit(Action::DropToGround), edit(Action::ResetPlacement)]);
@@ -53,8 +58,8 @@ fn groups(thing: Item) -> Vec<Vec<Command>> {
 /// What the button at the head of a section adds: at once, or a shape to be chosen.
 pub(super) fn add_menu(button: &Response, cx: &mut Cx<'_>, section: OutlinerSection) {
     match section {
-        OutlinerSection::Lights if button.clicked() => cx.run(Command::AddLight),
-        OutlinerSection::Materials if button.clicked() => cx.run(Command::AddMaterial),
+        OutlinerSection::Lights if button.clicked() => cx.run(AddCommand::Light),
+        OutlinerSection::Materials if button.clicked() => cx.run(AddCommand::Material),
         OutlinerSection::Lights | OutlinerSection::Materials => {}
         OutlinerSection::Bodies => {
             let mut commands = Vec::new();
@@ -71,7 +76,7 @@ pub(super) fn rest_menu(response: &Response, cx: &mut Cx<'_>) {
     Popup::context_menu(response).style(dress_menu as fn(&mut Style)).show(|ui| {
         add_ui(ui, cx, &mut commands, true);
         ui.separator();
-        for command in [Command::Paste, Command::Edit(Action::SelectAll)] {
+        for command in [SelectionCommand::Paste.into(), Command::Edit(Action::SelectAll)] {
             if item(ui, cx.situation(), &command) {
                 commands.push(command);
             }
@@ -82,8 +87,8 @@ pub(super) fn rest_menu(response: &Response, cx: &mut Cx<'_>) {
 
 fn add_ui(ui: &mut Ui, cx: &Cx<'_>, commands: &mut Vec<Command>, has_more: bool) {
     ui.set_min_width(200.0);
-    let more = [Command::AddLight, Command::AddMaterial].into_iter().filter(|_| has_more);
-    for command in ShapeKind::ALL.map(Command::AddBody).into_iter().chain(more) {
+    let more = [AddCommand::Light, AddCommand::Material].into_iter().filter(|_| has_more);
+    for command in ShapeKind::ALL.map(AddCommand::Body).into_iter().chain(more).map(Command::from) {
         if item(ui, cx.situation(), &command) {
             commands.push(command);
         }

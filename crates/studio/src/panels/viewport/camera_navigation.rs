@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use super::scene_view::SceneView;
 use super::steering::{Heading, KeyListener, Steering};
-use crate::state::command::Command;
+use crate::state::command::CameraCommand;
 use crate::state::context::Cx;
 
 /// Radians that the camera turns for each point that the pointer moves.
@@ -233,7 +233,7 @@ impl CameraNavigation {
                 || !input.focused
         });
         if is_over {
-            cx.run(Command::ToggleFly);
+            cx.run(CameraCommand::ToggleFly);
             return;
         }
         if !self.is_caught {

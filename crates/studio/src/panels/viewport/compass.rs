@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use super::scene_view::SceneView;
 use crate::base::theme;
-use crate::state::command::Command;
+use crate::state::command::CameraCommand;
 use crate::state::context::Cx;
 
 /// Length of an arm, points.
@@ -88,7 +88,7 @@ pub(crate) fn compass_ui(ui: &mut Ui, cx: &mut Cx<'_>, scene_view: &SceneView) {
     if let Some(side) = chosen {
         // From where the view already looks, the click goes to the other side.
         let side = if is_already_there(side, forward) { opposite(side) } else { side };
-        cx.run(Command::LookAlong(side));
+        cx.run(CameraCommand::LookAlong(side));
     }
 }
 

@@ -4,7 +4,7 @@ use catoptric_editor::Action;
 use egui::Ui;
 
 use crate::panels::menu_entry::item;
-use crate::state::command::Command;
+use crate::state::command::{CameraCommand, Command, SelectionCommand};
 use crate::state::context::Cx;
 
 /// Draws the menu about what is selected.
@@ -19,7 +19,7 @@ pub(crate) fn menu_ui(ui: &mut Ui, cx: &mut Cx<'_>) {
             Command::Edit(Action::ToggleHidden),
             Command::Edit(Action::ToggleLocked),
         ];
-        items(ui, cx, [Command::FrameSelection, Command::Rename]);
+        items(ui, cx, [CameraCommand::FrameSelection.into(), Command::Selection(SelectionCommand::Rename)]);
         items(ui, cx, edits);
         ui.separator();
     }
@@ -33,7 +33,11 @@ pub(crate) fn menu_ui(ui: &mut Ui, cx: &mut Cx<'_>) {
         items(ui, cx, edits);
         ui.separator();
     }
-    items(ui, cx, [Command::FrameAll, Command::Edit(Action::SelectAll), Command::Edit(Action::ShowAll)]);
+    items(
+        ui,
+        cx,
+        [CameraCommand::FrameAll.into(), Command::Edit(Action::SelectAll), Command::Edit(Action::ShowAll)],
+    );
 }
 
 fn items<const N: usize>(ui: &mut Ui, cx: &mut Cx<'_>, commands: [Command; N]) {

@@ -15,7 +15,7 @@ use crate::base::widgets::paint_icon;
 use crate::base::widgets::slider::SliderField;
 use crate::base::{shortcut_text, theme};
 use crate::panels::method_chooser::chooser_ui;
-use crate::state::command::{AuditCommand, Command, Tool};
+use crate::state::command::{AuditCommand, CameraCommand, Command, DisplayCommand, Tool, ToolCommand};
 use crate::state::context::Cx;
 
 /// Side of a button, points.
@@ -71,25 +71,29 @@ fn gap(ui: &mut Ui) {
 
 fn tools(ui: &mut Ui, cx: &mut Cx<'_>) {
     for tool in [Tool::Move, Tool::Rotate, Tool::Scale] {
-        command_button(ui, cx, Command::Tool(tool));
+        command_button(ui, cx, ToolCommand::Take(tool));
     }
-    command_button(ui, cx, Command::AimLight);
+    command_button(ui, cx, ToolCommand::AimLight);
     command_button(ui, cx, Command::Audit(AuditCommand::Tool));
     gap(ui);
-    command_button(ui, cx, Command::ToggleGizmoSpace);
+    command_button(ui, cx, ToolCommand::ToggleGizmoSpace);
 }
 
 fn shown(ui: &mut Ui, cx: &mut Cx<'_>) {
-    command_button(ui, cx, Command::ToggleGrid);
-    command_button(ui, cx, Command::ToggleHandles);
+    command_button(ui, cx, DisplayCommand::ToggleGrid);
+    command_button(ui, cx, DisplayCommand::ToggleHandles);
 }
 
 fn looking(ui: &mut Ui, cx: &mut Cx<'_>) {
-    let has_selected = cx.situation().can(&Command::FrameSelection);
-    command_button(ui, cx, if has_selected { Command::FrameSelection } else { Command::FrameAll });
-    command_button(ui, cx, Command::ToggleProjection);
-    command_button(ui, cx, Command::ToggleFreeView);
-    command_button(ui, cx, Command::ToggleFly);
+    let has_selected = cx.situation().can(&CameraCommand::FrameSelection.into());
+    command_button(
+        ui,
+        cx,
+        if has_selected { CameraCommand::FrameSelection } else { CameraCommand::FrameAll },
+    );
+    command_button(ui, cx, CameraCommand::ToggleProjection);
+    command_button(ui, cx, CameraCommand::ToggleFreeView);
+    command_button(ui, cx, CameraCommand::ToggleFly);
 }
 
 /// Exposure and tone curve, in a popup.
@@ -161,19 +165,20 @@ fn free_view(ui: &mut Ui, cx: &mut Cx<'_>) {
     ui.label(cx.t("viewport-free-badge"));
     let put = ui.button(cx.t("viewport-camera-here"));
     if put.on_hover_text(cx.texts.tip("viewport-camera-here").unwrap_or_default()).clicked() {
-        cx.run(Command::CameraFromView);
+        cx.run(CameraCommand::FromView);
     }
     let back = ui.button(cx.t("viewport-camera-back"));
     if back.on_hover_text(cx.texts.tip("viewport-camera-back").unwrap_or_default()).clicked() {
-        cx.run(Command::ToggleFreeView);
+        cx.run(CameraCommand::ToggleFreeView);
     }
 }
 
 /// A button for a command, with its icon, name and shortcut.
-fn command_button(ui: &mut Ui, cx: &mut Cx<'_>, command: Command) {
+fn command_button(ui: &mut Ui, cx: &mut Cx<'_>, command: impl Into<Command>) {
+    let command = command.into();
     let Some(look) = command.look() else { return };
     let situation = cx.situation();
-    let name = situation.name(&command);
+    let name = situation.label(&command);
     let mut tip = name.clone();
     if let Some(shortcut) = look.shortcuts.first() {
         tip = format!("{tip} ({})", shortcut_text::text(ui.ctx(), shortcut));

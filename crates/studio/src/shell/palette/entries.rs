@@ -9,7 +9,7 @@ use crate::base::example_texts::example_title;
 use crate::base::shortcut_text;
 use crate::base::texts::{Language, Texts};
 use crate::panels::outliner::{item_icon, item_name};
-use crate::state::command::Command;
+use crate::state::command::{Command, FileCommand, WindowCommand};
 use crate::state::command_context::CommandContext;
 
 /// An entry of the palette.
@@ -18,6 +18,8 @@ pub(crate) struct PaletteItem {
     pub(crate) name: String,
     /// What it can be found by: its names in all languages.
     pub(crate) names: Vec<String>,
+    /// The stable name of a command.
+    pub(crate) stable_name: Option<&'static str>,
     /// At its right: a shortcut, or what kind of thing it is.
     pub(crate) detail: String,
     pub(crate) tip: Option<String>,
@@ -47,21 +49,23 @@ fn commands(context: &Context, situation: CommandContext<'_>) -> Vec<PaletteItem
         .filter(|language| *language != situation.texts.language())
         .map(Texts::new)
         .collect();
-    let entries = Command::all().filter(|command| **command != Command::Palette).filter_map(|command| {
-        let look = command.look()?;
-        let name = situation.name(command);
-        let mut names = vec![name.clone(), situation.texts.get(look.key).to_owned()];
-        names.extend(others.iter().map(|texts| texts.get(look.key).to_owned()));
-        let shortcut = look.shortcuts.first().map(|shortcut| shortcut_text::text(context, shortcut));
-        Some(PaletteItem {
-            name,
-            names,
-            detail: shortcut.unwrap_or_default(),
-            tip: situation.tip(command).map(str::to_owned),
-            icon: look.icon,
-            what: PaletteAction::Run(command.clone()),
-        })
-    });
+    let entries =
+        Command::all().filter(|command| **command != WindowCommand::Palette.into()).filter_map(|command| {
+            let look = command.look()?;
+            let name = situation.label(command);
+            let mut names = vec![name.clone(), situation.texts.get(look.key).to_owned()];
+            names.extend(others.iter().map(|texts| texts.get(look.key).to_owned()));
+            let shortcut = look.shortcuts.first().map(|shortcut| shortcut_text::text(context, shortcut));
+            Some(PaletteItem {
+                name,
+                names,
+                stable_name: Some(look.name),
+                detail: shortcut.unwrap_or_default(),
+                tip: situation.tip(command).map(str::to_owned),
+                icon: look.icon,
+                what: PaletteAction::Run(command.clone()),
+            })
+        });
     entries.collect()
 }
 
@@ -71,10 +75,11 @@ fn examples(situation: CommandContext<'_>) -> impl Iterator<Item = PaletteItem> 
     Example::ALL.iter().map(move |example| PaletteItem {
         name: example_title(example, language).to_owned(),
         names: vec![example.title().to_owned(), example.russian_title().to_owned(), example.name.to_owned()],
+        stable_name: None,
         detail: detail.to_owned(),
         tip: None,
         icon: icons::ICON_PHOTO_LIBRARY,
-        what: PaletteAction::Run(Command::OpenExample(example.name)),
+        what: PaletteAction::Run(FileCommand::OpenExample(example.name).into()),
     })
 }
 
@@ -85,10 +90,11 @@ fn recent(situation: CommandContext<'_>) -> impl Iterator<Item = PaletteItem> {
         PaletteItem {
             names: vec![name.clone()],
             name,
+            stable_name: None,
             detail: detail.to_owned(),
             tip: Some(path.display().to_string()),
             icon: icons::ICON_DESCRIPTION,
-            what: PaletteAction::Run(Command::OpenFile(path.clone())),
+            what: PaletteAction::Run(FileCommand::OpenFile(path.clone()).into()),
         }
     })
 }
@@ -107,6 +113,7 @@ fn things(situation: CommandContext<'_>) -> impl Iterator<Item = PaletteItem> {
         PaletteItem {
             names: vec![name.clone()],
             name,
+            stable_name: None,
             detail: detail.to_owned(),
             tip: None,
             icon: item_icon(scene, item),

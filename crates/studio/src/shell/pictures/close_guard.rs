@@ -3,7 +3,7 @@
 use crate::shell::studio::Studio;
 use crate::shell::studio::dialogs::question::QuestionDialog;
 use crate::shell::studio::pictures::{FinishedPicture, PictureSaveState, SavedPlace};
-use crate::state::command::Command;
+use crate::state::command::FileCommand;
 
 /// Whether the studio must not be left yet, since a picture would be lost that nobody has agreed to lose. Asks then,
 /// or waits for the file being written, and leaves afterwards.
@@ -33,7 +33,7 @@ pub(super) fn poll(studio: &mut Studio) {
         pictures.finished.iter().any(|finished| matches!(finished.saving, PictureSaveState::Writing(..)));
     if pictures.close_guard.is_waiting && !is_writing {
         pictures.close_guard.is_waiting = false;
-        studio.run(Command::Quit);
+        studio.run(FileCommand::Quit);
     }
 }
 
@@ -48,7 +48,7 @@ fn ask(studio: &mut Studio, unkept: usize) {
         .choice(texts.get("picture-leave-stay"), |_, _| {})
         .choice(texts.get("picture-leave-go"), |_, studio| {
             studio.pictures.close_guard.is_agreed = true;
-            studio.run(Command::Quit);
+            studio.run(FileCommand::Quit);
         });
     studio.pictures.close_guard.asked = question.watch();
     studio.dialogs.open(question);
