@@ -8,7 +8,7 @@ use catoptric_scene::{
 };
 use glam::DVec3;
 
-use crate::action::{ActionError, ActionOutcome};
+use super::{ActionError, ActionOutcome, subject};
 use crate::bounds;
 use crate::document::mover;
 use crate::names::{UsedNames, base, used_materials};
@@ -135,7 +135,7 @@ pub(crate) fn add(scene: &Scene, mut parts: Scene) -> ActionOutcome {
     scene.lights.append(&mut parts.lights);
     scene.bodies.extend(parts.bodies);
     let items: Vec<Item> = selection.iter().collect();
-    let subject = crate::action::subject(&scene, &items);
+    let subject = subject(&scene, &items);
     ActionOutcome { scene, selection, subject }
 }
 
