@@ -15,3 +15,6 @@ pub(crate) mod panes;
 pub(crate) mod problems;
 pub(crate) mod status_bar;
 pub(crate) mod viewport;
+
+#[cfg(test)]
+mod tests;

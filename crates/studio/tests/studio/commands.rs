@@ -1,12 +1,15 @@
 //! Commands: by menu, by key, by the palette; help and the status bar.
 
+use std::path::Path;
+
 use catoptric_editor::{Action, Item};
 use catoptric_studio::{
-    CameraCommand, Command, Language, Pane, StartDocument, Studio, Theme, Tool, ToolCommand, WindowCommand,
+    CameraCommand, Command, CommandGroup, Language, Pane, StartDocument, Studio, Texts, Theme, Tool,
+    ToolCommand, WindowCommand,
 };
 use catoptric_tracer::raster::MethodKind;
 use egui::accesskit::Role;
-use egui::{Event, Key, Modifiers, OutputCommand};
+use egui::{Event, Key, ModifierNames, Modifiers, OutputCommand};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
@@ -504,4 +507,33 @@ fn tools_are_chosen_by_their_keys_but_not_in_flight() {
     press(&mut harness, Modifiers::SHIFT, Key::F);
     press(&mut harness, Modifiers::NONE, Key::E);
     assert!(!is_on(&mut harness, "Rotate"), "the key flies");
+}
+
+/// The list of commands for maintainers; `BLESS=1` writes it.
+#[test]
+fn the_list_of_names_is_up_to_date() {
+    let texts = Texts::new(Language::English);
+    let mut list = String::from(
+        "# Names of commands\n\n\
+         The commands of the studio by their stable names, for the palette, tests and programs: `Command::from_name`. \
+         Written by\n`BLESS=1 cargo test -p catoptric-studio`.\n",
+    );
+    for group in CommandGroup::ALL {
+        list += &format!("\n## {}\n\n| Name | Command | Keys |\n|---|---|---|\n", texts.get(group.key()));
+        for look in Command::all().filter_map(Command::look).filter(|look| look.group == group) {
+            let keys = look
+                .shortcuts
+                .iter()
+                .map(|keys| keys.format(&ModifierNames::NAMES, false).replace('|', "\\|"));
+            let keys = keys.collect::<Vec<_>>().join(", ");
+            list += &format!("| `{}` | {} | {keys} |\n", look.name, texts.get(look.key));
+        }
+    }
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/dev/commands.md");
+    if std::env::var_os("BLESS").is_some() {
+        std::fs::write(&path, &list).unwrap();
+    }
+    // Checkouts on Windows have other ends of lines.
+    let written = std::fs::read_to_string(path).unwrap_or_default().replace("\r\n", "\n");
+    assert!(written == list, "docs/dev/commands.md is not up to date; set BLESS=1 to write it");
 }
