@@ -72,7 +72,7 @@ pub(crate) fn listen() {
         }
         // Straight to the descriptor: the stream of the library has a lock.
         let _ = (&stderr).write_all(WORDS);
-        exit(crate::STATUS_ERROR.into());
+        exit(crate::console::STATUS_ERROR.into());
     };
     // SAFETY: the handler only loads an atomic, writes to a descriptor and leaves by `_exit`; all of these, and
     // `emulate_default_handler`, are safe in the handler of a signal. It allocates nothing and takes no lock.

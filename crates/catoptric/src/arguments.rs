@@ -16,7 +16,7 @@ use catoptric_tracer::RenderSettings;
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand, ValueEnum, value_parser};
 
-use crate::output::{OutputKind, format_names};
+use crate::output_kind::{OutputKind, format_names};
 
 pub(crate) use method::MethodArguments;
 

@@ -10,6 +10,9 @@ use anyhow::{Context as _, Result};
 use catoptric_scene::visible_lines;
 use serde_json::Value;
 
+/// The exit status after an error.
+pub(crate) const STATUS_ERROR: u8 = 2;
+
 /// Prints words to standard output. A reader that has gone away, such as `head`, is no error.
 pub(crate) fn print(words: &str) -> Result<()> {
     put(&visible_lines(words))

@@ -13,6 +13,7 @@ mod layers;
 mod memory;
 mod notes;
 mod output;
+mod output_kind;
 mod progress;
 mod stats;
 
@@ -25,12 +26,10 @@ use clap::Parser as _;
 
 use arguments::{Arguments, Command};
 use commands::CommandOutcome;
+use console::STATUS_ERROR;
 
 #[global_allocator]
 static ALLOCATOR: allocator::Allocator = allocator::Allocator;
-
-/// The exit status after an error.
-const STATUS_ERROR: u8 = 2;
 
 fn main() -> ExitCode {
     allocator::listen();

@@ -1,4 +1,4 @@
-//! Files to write: which kind they are.
+//! Files to write: their formats and how pictures are saved in them.
 
 use std::path::Path;
 use std::time::Instant;
@@ -8,33 +8,6 @@ use catoptric_files::is_stream;
 use catoptric_picture::{Development, PictureFormat, SampleDepth, SaveOptions};
 
 use crate::arguments::DevelopmentArguments;
-
-/// The kind of an output file, known by its extension.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum OutputKind {
-    Picture(PictureFormat),
-    Scene,
-}
-
-impl OutputKind {
-    /// The kind that an extension or `--format` names.
-    pub(crate) fn named(name: &str) -> Option<Self> {
-        if name.eq_ignore_ascii_case("toml") {
-            return Some(Self::Scene);
-        }
-        PictureFormat::of_extension(name).map(Self::Picture)
-    }
-
-    /// The kind of the file at `path`, if its extension is known.
-    pub(crate) fn of(path: &Path) -> Option<Self> {
-        Self::named(path.extension()?.to_str()?)
-    }
-}
-
-/// The formats of pictures that can be written, as `--format` names them.
-pub(crate) fn format_names() -> String {
-    PictureFormat::all_extensions(true).collect::<Vec<_>>().join(", ")
-}
 
 /// The format of the picture to write to `path`: `format` if it is given, else what the extension says. PNG for a pipe,
 /// a device or a descriptor whose name says nothing.

@@ -2,6 +2,7 @@
 
 mod add;
 mod flags;
+mod fragment;
 mod list;
 mod material;
 mod outcome;
@@ -13,8 +14,8 @@ use std::path::Path;
 use catoptric_scene::{Diagnostics, MaterialChoice, Scene, ShapeKind};
 use glam::DVec3;
 
-use crate::document::{Editor, Label, RefusedChange};
-use crate::fragment;
+use crate::document::{Editor, RefusedChange};
+use crate::label::Label;
 use crate::new_body::NewBodyPlacement;
 use crate::selection::{Item, Selection};
 use flags::Flag;

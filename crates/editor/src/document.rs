@@ -10,25 +10,10 @@ use std::sync::Arc;
 use catoptric_scene::{Problem, Scene};
 
 use crate::history::{Difference, History, UndoStep};
+use crate::label::Label;
 use crate::selection::Selection;
 pub(crate) use images::mover;
 pub use saving::SceneWriter;
-
-/// The label of an undo step, for a history menu.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Label {
-    /// A key of message catalogues, such as `edit-move`.
-    pub key: &'static str,
-    /// The name of what was edited; may be empty.
-    pub subject: String,
-}
-
-impl Label {
-    /// A label with a subject.
-    pub fn new(key: &'static str, subject: impl Into<String>) -> Self {
-        Self { key, subject: subject.into() }
-    }
-}
 
 /// A change that was refused, since no file can express the scene; the scene has not changed.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

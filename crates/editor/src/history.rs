@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use catoptric_scene::{Image, Scene};
 
-use crate::document::Label;
+use crate::label::Label;
 use crate::selection::Selection;
 pub(crate) use difference::Difference;
 

@@ -3,8 +3,8 @@
 mod action;
 pub mod bounds;
 mod document;
-mod fragment;
 mod history;
+mod label;
 mod names;
 pub mod navigate;
 mod new_body;
@@ -12,6 +12,7 @@ pub mod recovery;
 mod selection;
 
 pub use action::{Action, ActionError};
-pub use document::{Editor, Label, RefusedChange, SceneWriter};
+pub use document::{Editor, RefusedChange, SceneWriter};
+pub use label::Label;
 pub use new_body::NewBodyPlacement;
 pub use selection::{Item, Selection};

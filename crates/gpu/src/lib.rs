@@ -2,6 +2,7 @@
 
 mod card;
 mod choice;
+mod compile;
 mod error;
 mod film;
 mod pipelines;

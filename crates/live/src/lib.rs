@@ -15,6 +15,7 @@ mod grid;
 mod job;
 mod live;
 mod method_picture;
+mod options;
 mod outline;
 mod pace;
 mod priority;
@@ -26,6 +27,7 @@ mod worker;
 
 pub use frame::{Frame, GridKind, GridLine, Polyline};
 pub use job::{JobError, JobProgress, RenderJob};
-pub use live::{Live, LiveOptions};
+pub use live::Live;
+pub use options::LiveOptions;
 pub use request::{DisplayContent, GridSpec, Request};
 pub use status::{LiveError, Status};

@@ -8,26 +8,12 @@ use catoptric_gpu::Gpu;
 use catoptric_tracer::RenderScene;
 
 use crate::frame::Frame;
+use crate::options::LiveOptions;
 use crate::priority::{self, Priority};
 use crate::request::Request;
 use crate::shared::SharedState;
 use crate::status::Status;
 use crate::worker::Worker;
-
-/// How the worker works.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LiveOptions {
-    /// Threads that trace; 0 (the default) for one on each processor.
-    pub threads: usize,
-    /// What a picture may take while something moves, milliseconds.
-    pub budget: f64,
-}
-
-impl Default for LiveOptions {
-    fn default() -> Self {
-        Self { threads: 0, budget: 13.0 }
-    }
-}
 
 /// A worker that traces what is asked of it, the newest request first. Dropping it stops the worker.
 pub struct Live {

@@ -1,5 +1,9 @@
 //! The size of a picture that can be traced in time.
 
+use std::time::Instant;
+
+use catoptric_tracer::RayCounts;
+
 /// Divisors of the view's size for coarse pictures. Few of them, so that the resolution does not flicker.
 const DIVISORS: [f64; 14] = [1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0, 24.0];
 
@@ -93,6 +97,17 @@ fn coarsest(view: [u32; 2]) -> f64 {
 /// A view's size over a divisor, at least one pixel.
 fn divided(view: [u32; 2], divisor: f64) -> [u32; 2] {
     view.map(|side| ((f64::from(side) / divisor).round() as u32).max(1))
+}
+
+/// The rays and the time of a finished pass.
+pub(crate) struct PassCost {
+    pub(crate) rays: RayCounts,
+    pub(crate) milliseconds: f64,
+}
+
+/// Milliseconds that have passed since `start`.
+pub(crate) fn milliseconds_since(start: Instant) -> f64 {
+    1e3 * start.elapsed().as_secs_f64()
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! The thread that traces what is asked for.
 
 mod card;
+mod drawing;
 
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -14,9 +15,9 @@ use rayon::prelude::*;
 
 use crate::canvas::{Canvas, CardRenderer, PassError};
 use crate::frame::Frame;
-use crate::live::LiveOptions;
 use crate::method_picture::{CubeMapStore, MethodPicture, has_light};
-use crate::pace::Pace;
+use crate::options::LiveOptions;
+use crate::pace::{Pace, PassCost, milliseconds_since};
 use crate::request::{DisplayContent, Request};
 use crate::request_state::{RequestState, SceneUpdate, StaleParts, check, is_new};
 use crate::shared::{PreemptionRule, SharedState, WaitLimit, WorkerMessage};
@@ -43,12 +44,6 @@ pub(crate) struct Worker {
     pub(crate) card: Option<CardRenderer>,
     serial: u64,
     picture_serial: u64,
-}
-
-/// The rays and the time of a finished pass.
-pub(crate) struct PassCost {
-    pub(crate) rays: RayCounts,
-    pub(crate) milliseconds: f64,
 }
 
 impl Worker {
@@ -424,10 +419,6 @@ fn develop(picture: &Picture, development: &Development) -> Vec<u8> {
         development.develop_rgba8(light, codes.as_chunks_mut().0);
     });
     codes
-}
-
-pub(crate) fn milliseconds_since(start: Instant) -> f64 {
-    1e3 * start.elapsed().as_secs_f64()
 }
 
 /// What a panic said.

@@ -12,6 +12,7 @@ mod language;
 mod light;
 mod list;
 mod material;
+mod scene_images;
 mod text;
 
 pub use body::{Anchor, Body, Placement, Shape, ShapeKind};
@@ -24,7 +25,7 @@ pub use format::{
     Diagnostic, Diagnostics, LONGEST_TEXT, ParsedScene, Problem, Related, ScenePart, Severity, Warned,
     json_schema, read, read_bytes, update, write, write_fragment,
 };
-pub use image::{HasImages, Image, ImageError, ImageFault, ImageSource, UnreadableKind};
+pub use image::{Image, ImageError, ImageFault, ImageSource, UnreadableKind};
 pub use language::Language;
 pub use light::{Falloff, Light};
 pub use list::{CountedIter, List, ListIter, ListIterMut, ListSlices};
@@ -32,6 +33,7 @@ pub use material::{
     Attenuation, Checker, CheckerSpace, Coated, Conductor, Dielectric, Material, MaterialChoice, Matte,
     MetalOptics, Mirror, Model, NamedMaterial, Pattern, Phong, RefractiveIndex, Share, ThinDielectric,
 };
+pub use scene_images::HasImages;
 pub use text::{is_active, quoted_name, visible, visible_lines};
 
 /// A whole scene: everything that decides what a picture shows, except its size.

@@ -7,9 +7,8 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use catoptric_editor::Item;
-use catoptric_lab::maps::MapKind;
 use catoptric_studio::host::{FileAnswer, FileQuestion, Host};
-use catoptric_studio::{AuditCommand, Command, MeasureCommand, Pane, StartDocument, Studio};
+use catoptric_studio::{AuditCommand, Command, StartDocument, Studio};
 use egui::{Event, Modifiers, PointerButton, Pos2};
 use egui_kittest::Harness;
 
@@ -41,7 +40,7 @@ struct Shot {
     /// What to select.
     selected: Option<Item>,
     /// What is done one after the other.
-    commands: Vec<Command>,
+    commands: Vec<&'static str>,
     hint: bool,
     /// How far down the keys walk in the materials.
     rows_down: usize,
@@ -84,14 +83,11 @@ fn shots() -> Vec<Shot> {
         Shot { selected: Some(Item::Body(1)), ..shot("studio-en-light", "english", "light", "four-bodies") },
         Shot { selected: Some(Item::Body(1)), ..shot("studio-ru-dark", "russian", "dark", "whitted") },
         Shot { selected: Some(Item::Body(1)), ..shot("studio-ru-light", "russian", "light", "whitted") },
+        Shot { commands: vec!["file.examples"], ..shot("studio-examples", "english", "dark", "four-bodies") },
+        Shot { commands: vec!["picture.render"], ..shot("studio-render", "russian", "light", "still-life") },
+        Shot { commands: vec!["window.palette"], ..shot("studio-palette", "english", "light", "glass-row") },
         Shot {
-            commands: vec![Command::Examples],
-            ..shot("studio-examples", "english", "dark", "four-bodies")
-        },
-        Shot { commands: vec![Command::Render], ..shot("studio-render", "russian", "light", "still-life") },
-        Shot { commands: vec![Command::Palette], ..shot("studio-palette", "english", "light", "glass-row") },
-        Shot {
-            commands: vec![Command::Shortcuts],
+            commands: vec!["help.shortcuts"],
             ..shot("studio-shortcuts", "russian", "dark", "four-bodies")
         },
         Shot { audit: Some(OUTSIDE), ..shot("studio-audit-en", "english", "dark", "whitted") },
@@ -101,16 +97,16 @@ fn shots() -> Vec<Shot> {
             ..shot("studio-slow-light", "english", "light", "whitted")
         },
         Shot {
-            commands: vec![Command::Map(Some(MapKind::Generations))],
+            commands: vec!["view.map.generations"],
             ..shot("studio-map", "english", "dark", "mirror-box")
         },
         Shot {
-            commands: vec![Command::ToggleExact],
+            commands: vec!["view.exact"],
             selected: Some(Item::Body(5)),
             ..shot("studio-exact-en", "english", "dark", "ring-of-images")
         },
         Shot {
-            commands: vec![Command::ToggleExact],
+            commands: vec!["view.exact"],
             selected: Some(Item::Body(5)),
             ..shot("studio-exact-ru", "russian", "light", "ring-of-images")
         },
@@ -126,14 +122,14 @@ fn shots() -> Vec<Shot> {
         },
         Shot {
             selected: Some(Item::Body(12)),
-            commands: vec![Command::TogglePane(Pane::Materials)],
+            commands: vec!["window.pane.materials"],
             rows_down: 3,
             pointer: Some([0.568, 1.5]),
             ..shot("studio-materials-en", "english", "dark", "metals")
         },
         Shot {
             selected: Some(Item::Body(14)),
-            commands: vec![Command::TogglePane(Pane::Materials)],
+            commands: vec!["window.pane.materials"],
             rows_down: 5,
             ..shot("studio-materials-ru", "russian", "light", "rising-index")
         },
@@ -146,11 +142,11 @@ fn shots() -> Vec<Shot> {
             ..shot("studio-surroundings-ru", "russian", "light", "textures")
         },
         Shot {
-            commands: vec![Command::TogglePane(Pane::Compare)],
+            commands: vec!["window.pane.compare"],
             ..shot("studio-compare", "english", "dark", "four-bodies")
         },
         Shot {
-            commands: vec![Command::TogglePane(Pane::Measure), Command::Measure(MeasureCommand::Start)],
+            commands: vec!["window.pane.measure", "measure.start"],
             ..shot("studio-measure", "english", "light", "four-bodies")
         },
         Shot { hint: true, ..shot("studio-first", "english", "dark", "four-bodies") },
@@ -195,7 +191,7 @@ fn take(shot: &Shot, size: [f32; 2], folder: &Path) {
         harness.state_mut().editor_mut().select(item);
     }
     for command in &shot.commands {
-        harness.state_mut().run(command.clone());
+        harness.state_mut().run(Command::from_name(command).unwrap().clone());
         harness.step();
         harness.step();
     }
@@ -203,7 +199,7 @@ fn take(shot: &Shot, size: [f32; 2], folder: &Path) {
         harness.key_press(egui::Key::ArrowDown);
         harness.step();
     }
-    let pictured = [Command::Examples, Command::TogglePane(Pane::Materials)];
+    let pictured = ["file.examples", "window.pane.materials"];
     let has_thumbnails = shot.commands.iter().any(|command| pictured.contains(command));
     wait(&mut harness, Duration::from_secs(if has_thumbnails { 40 } else { 2 }));
     if let Some(look) = &shot.audit {
@@ -221,7 +217,7 @@ fn take(shot: &Shot, size: [f32; 2], folder: &Path) {
 
 /// Pins a pixel, and looks at its rays.
 fn audit(harness: &mut Harness<'_, Studio>, look: &Look) {
-    harness.state_mut().run(Command::Audit(AuditCommand::Tool));
+    harness.state_mut().run(AuditCommand::Tool);
     wait(harness, Duration::from_secs(1));
     let rect = harness.state().viewport_rect().unwrap();
     let place = |[x, y]: [f32; 2]| rect.min + egui::vec2(x, y) * rect.size();
@@ -241,7 +237,7 @@ fn audit(harness: &mut Harness<'_, Studio>, look: &Look) {
     harness.event(Event::PointerMoved(rect.left_bottom() + egui::vec2(40.0, 60.0)));
     wait(harness, Duration::from_secs(1));
     if let Some(frames) = look.frames {
-        harness.state_mut().run(Command::Audit(AuditCommand::Play));
+        harness.state_mut().run(AuditCommand::Play);
         harness.run_steps(frames);
     }
 }

@@ -11,7 +11,7 @@ use super::CommandOutcome;
 use crate::arguments::ConvertArguments;
 use crate::files::CommandFiles;
 use crate::input;
-use crate::output::OutputKind;
+use crate::output_kind::OutputKind;
 
 pub(crate) fn run(arguments: &ConvertArguments) -> Result<CommandOutcome> {
     let ConvertArguments { from, to, format, layer, quality, development } = arguments;

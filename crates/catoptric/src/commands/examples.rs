@@ -8,7 +8,7 @@ use crate::arguments::ExamplesArguments;
 use crate::console::print;
 use crate::files::CommandFiles;
 use crate::input::no_such_example;
-use crate::output::OutputKind;
+use crate::output_kind::OutputKind;
 
 pub(crate) fn run(arguments: &ExamplesArguments) -> Result<CommandOutcome> {
     let Some(name) = &arguments.name else {

@@ -5,8 +5,8 @@ use std::collections::HashSet;
 use catoptric_scene::{MaterialChoice, Scene};
 
 use super::ActionError;
+use super::fragment;
 use super::outcome::{ActionOutcome, Result, subject};
-use crate::fragment;
 use crate::names::UsedNames;
 use crate::selection::{Item, Selection};
 

@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use catoptric_scene::{Body, Camera, Environment, Light, Material, Problem, Scene, ScenePart, Tracing};
 
-use super::{Difference, Editor, Gesture, Label, RefusedChange, Selection, UndoStep};
+use super::{Difference, Editor, Gesture, RefusedChange, Selection, UndoStep};
+use crate::label::Label;
 
 /// Changes of more elements than this are checked by a check of the whole scene.
 const MOST_PARTS: usize = 16;

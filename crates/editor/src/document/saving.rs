@@ -6,7 +6,8 @@ use std::sync::Arc;
 use catoptric_scene::{Scene, update, write};
 
 use super::images::{move_images, share_pixels};
-use super::{Editor, Gesture, Label, RefusedChange};
+use super::{Editor, Gesture, RefusedChange};
+use crate::label::Label;
 
 /// A snapshot of the scene for writing, so that another thread can make its text.
 #[derive(Clone, Debug)]

@@ -3,7 +3,7 @@
 use catoptric_editor::Label;
 use catoptric_scene::{Color, Environment};
 use catoptric_studio::host::Host as _;
-use catoptric_studio::{AuditCommand, Command, Language, Pane, StartDocument, Studio};
+use catoptric_studio::{AuditCommand, Command, Language, Pane, StartDocument, Studio, WindowCommand};
 use egui::{Event, Modifiers, PointerButton, Pos2, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -28,7 +28,7 @@ impl Auditor {
         auditor
     }
 
-    fn run(&mut self, command: Command) {
+    fn run(&mut self, command: impl Into<Command>) {
         self.harness.state_mut().run(command);
         self.harness.run_steps(3);
     }
@@ -153,7 +153,7 @@ fn numbers_have_the_decimal_sign_of_the_language() {
     let mut audit = Auditor::new();
     audit.pin(audit.place(0.4, 0.45));
     for (language, foreign) in [(Language::English, b','), (Language::Russian, b'.')] {
-        audit.run(Command::Language(language));
+        audit.run(WindowCommand::Language(language));
         let rows = audit.rows();
         let has_foreign = |row: &&String| {
             row.as_bytes()
@@ -254,7 +254,7 @@ fn a_pixel_at_the_lower_edge_stays_in_view() {
     // A panel that was opened before the tool stays.
     audit.run(Command::Audit(AuditCommand::Release));
     audit.run(Command::Audit(AuditCommand::Tool));
-    audit.run(Command::TogglePane(Pane::Audit));
+    audit.run(WindowCommand::TogglePane(Pane::Audit));
     audit.press("Choose the audit tool");
     assert!(audit.harness.query_by_label_contains("Click a pixel of the picture").is_some());
 }
@@ -344,7 +344,7 @@ fn a_changed_coefficient_is_marked() {
 #[test]
 fn the_tree_is_saved_as_a_drawing_in_russian() {
     let mut audit = Auditor::new();
-    audit.run(Command::Language(Language::Russian));
+    audit.run(WindowCommand::Language(Language::Russian));
     audit.pin(audit.place(0.4, 0.45));
     assert!(audit.row("Пиксель ").contains(" из "));
     assert!(audit.row("1: ").starts_with("1: первичный – "));

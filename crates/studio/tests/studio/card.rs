@@ -5,7 +5,7 @@ use std::panic::catch_unwind;
 
 use catoptric_editor::Label;
 use catoptric_studio::host::Host as _;
-use catoptric_studio::{Command, StartDocument, Studio};
+use catoptric_studio::{CameraCommand, DisplayCommand, StartDocument, Studio};
 use eframe::egui_wgpu::{RenderState, RendererOptions};
 use egui_kittest::kittest::Queryable as _;
 use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
@@ -63,7 +63,7 @@ fn the_card_of_the_window_draws_the_same_picture() {
     let short = name.split(" (").next().unwrap();
     assert!(harness.query_by_label(&format!("GPU · {short}")).is_some(), "{name}");
     let on_card = harness.render().unwrap();
-    harness.state_mut().run(Command::ToggleCard);
+    harness.state_mut().run(DisplayCommand::ToggleCard);
     harness.run_steps(2);
     wait_for_picture(&mut harness, "CPU");
     assert!(harness.state().live().latest().unwrap().card.is_none());
@@ -73,7 +73,7 @@ fn the_card_of_the_window_draws_the_same_picture() {
     let pairs = on_card.as_raw().iter().zip(on_processor.as_raw()).take(bytes);
     let off = pairs.filter(|(one, other)| one.abs_diff(**other) > 2).count();
     assert!(off < bytes / 1000, "{off} bytes differ");
-    harness.state_mut().run(Command::ToggleCard);
+    harness.state_mut().run(DisplayCommand::ToggleCard);
     harness.run_steps(2);
     wait_for_picture(&mut harness, "GPU");
 }
@@ -96,7 +96,7 @@ fn a_card_that_is_lost_is_told_and_the_processor_draws() {
     device.destroy();
     // The loss is told when the device has done its work; until then, its things are just invalid.
     let _ = device.poll(wgpu::PollType::wait_indefinitely());
-    harness.state_mut().run(Command::ToggleProjection);
+    harness.state_mut().run(CameraCommand::ToggleProjection);
     wait_until(&mut harness, "the loss", |studio| studio.live().status().card_lost.is_some());
     // A notice comes with the next frame, and fades in.
     harness.run_steps(4);

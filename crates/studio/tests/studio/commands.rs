@@ -1,9 +1,15 @@
 //! Commands: by menu, by key, by the palette; help and the status bar.
 
+use std::path::Path;
+
 use catoptric_editor::{Action, Item};
-use catoptric_studio::{Command, Language, Pane, StartDocument, Studio, Theme, Tool};
+use catoptric_studio::{
+    CameraCommand, Command, CommandGroup, Language, Pane, StartDocument, Studio, Texts, Theme, Tool,
+    ToolCommand, WindowCommand,
+};
+use catoptric_tracer::raster::MethodKind;
 use egui::accesskit::Role;
-use egui::{Event, Key, Modifiers, OutputCommand};
+use egui::{Event, Key, ModifierNames, Modifiers, OutputCommand};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
@@ -79,7 +85,7 @@ fn menus_tell_what_they_undo_and_redo() {
     assert_eq!(bodies(&harness), 6);
     choose(&mut harness, "Edit", "Undo: Duplicate “sphere”");
     assert_eq!(bodies(&harness), 5);
-    harness.state_mut().run(Command::Language(Language::Russian));
+    harness.state_mut().run(WindowCommand::Language(Language::Russian));
     settle(&mut harness);
     choose(&mut harness, "Правка", "Повторить: Дублирование: «sphere»");
     assert_eq!(bodies(&harness), 6);
@@ -245,6 +251,18 @@ fn run_by_palette(harness: &mut Kit, query: &str) {
 }
 
 #[test]
+fn the_palette_finds_commands_by_their_stable_names() {
+    let mut harness = studio();
+    settle(&mut harness);
+    harness.state_mut().run(WindowCommand::Language(Language::Russian));
+    settle(&mut harness);
+    run_by_palette(&mut harness, "view.method.cube");
+    assert_eq!(harness.state().settings().methods.kind(), MethodKind::CubeMap);
+    run_by_palette(&mut harness, "window.language.english");
+    assert_eq!(harness.state().settings().language, Language::English);
+}
+
+#[test]
 fn the_palette_finds_commands_in_both_languages_examples_and_bodies() {
     let mut harness = studio();
     settle(&mut harness);
@@ -292,10 +310,10 @@ fn every_command_runs(language: Language) {
     let host = TestHost::new();
     let mut harness = studio_with(host, StartDocument::Example("four-bodies".to_owned()));
     for command in Command::all() {
-        if matches!(command, Command::Palette) {
+        if *command == WindowCommand::Palette.into() {
             continue;
         }
-        harness.state_mut().run(Command::Language(language));
+        harness.state_mut().run(WindowCommand::Language(language));
         harness.state_mut().editor_mut().select(Item::Body(0));
         settle(&mut harness);
         let name = harness.state().texts().get(command.look().unwrap().key).to_owned();
@@ -305,7 +323,7 @@ fn every_command_runs(language: Language) {
             press(&mut harness, Modifiers::NONE, Key::Escape);
         }
         assert!(!is_palette_open(&harness), "{name}");
-        if let Command::Zoom(_) = command {
+        if let Command::Window(WindowCommand::Zoom(_)) = command {
             assert!(harness.state().settings().zoom.is_finite());
         }
     }
@@ -327,10 +345,10 @@ fn a_panel_behind_another_comes_to_the_front_before_it_hides() {
     let mut harness = studio();
     settle(&mut harness);
     assert!(harness.query_by_label("Opened").is_none());
-    harness.state_mut().run(Command::TogglePane(Pane::History));
+    harness.state_mut().run(WindowCommand::TogglePane(Pane::History));
     settle(&mut harness);
     assert!(harness.query_by_label("Opened").is_some());
-    harness.state_mut().run(Command::TogglePane(Pane::History));
+    harness.state_mut().run(WindowCommand::TogglePane(Pane::History));
     settle(&mut harness);
     assert!(harness.query_by_label("Opened").is_none());
     assert!(harness.query_by_label("Bodies").is_some(), "the panel before it is seen again");
@@ -344,7 +362,7 @@ fn a_click_in_the_history_goes_to_that_step() {
         harness.state_mut().editor_mut().select(Item::Body(body));
         harness.state_mut().editor_mut().apply(Action::Duplicate).unwrap();
     }
-    harness.state_mut().run(Command::TogglePane(Pane::History));
+    harness.state_mut().run(WindowCommand::TogglePane(Pane::History));
     settle(&mut harness);
     harness.get_by_label("Duplicate “sphere”").click();
     settle(&mut harness);
@@ -467,7 +485,7 @@ fn the_status_bar_tells_how_the_picture_is_doing() {
     assert!(harness.query_by_label("done").is_some());
     assert!(harness.query_by_label("5 bodies · 2 lights").is_some());
     assert!(harness.query_by_role_and_label(Role::Label, "Free view").is_none());
-    harness.state_mut().run(Command::ToggleFreeView);
+    harness.state_mut().run(CameraCommand::ToggleFreeView);
     settle(&mut harness);
     assert!(harness.query_by_role_and_label(Role::Label, "Free view").is_some());
 }
@@ -485,8 +503,37 @@ fn tools_are_chosen_by_their_keys_but_not_in_flight() {
     };
     press(&mut harness, Modifiers::NONE, Key::E);
     assert!(is_on(&mut harness, "Rotate"));
-    harness.state_mut().run(Command::Tool(Tool::Move));
+    harness.state_mut().run(ToolCommand::Take(Tool::Move));
     press(&mut harness, Modifiers::SHIFT, Key::F);
     press(&mut harness, Modifiers::NONE, Key::E);
     assert!(!is_on(&mut harness, "Rotate"), "the key flies");
+}
+
+/// The list of commands for maintainers; `BLESS=1` writes it.
+#[test]
+fn the_list_of_names_is_up_to_date() {
+    let texts = Texts::new(Language::English);
+    let mut list = String::from(
+        "# Names of commands\n\n\
+         The commands of the studio by their stable names, for the palette, tests and programs: `Command::from_name`. \
+         Written by\n`BLESS=1 cargo test -p catoptric-studio`.\n",
+    );
+    for group in CommandGroup::ALL {
+        list += &format!("\n## {}\n\n| Name | Command | Keys |\n|---|---|---|\n", texts.get(group.key()));
+        for look in Command::all().filter_map(Command::look).filter(|look| look.group == group) {
+            let keys = look
+                .shortcuts
+                .iter()
+                .map(|keys| keys.format(&ModifierNames::NAMES, false).replace('|', "\\|"));
+            let keys = keys.collect::<Vec<_>>().join(", ");
+            list += &format!("| `{}` | {} | {keys} |\n", look.name, texts.get(look.key));
+        }
+    }
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/dev/commands.md");
+    if std::env::var_os("BLESS").is_some() {
+        std::fs::write(&path, &list).unwrap();
+    }
+    // Checkouts on Windows have other ends of lines.
+    let written = std::fs::read_to_string(path).unwrap_or_default().replace("\r\n", "\n");
+    assert!(written == list, "docs/dev/commands.md is not up to date; set BLESS=1 to write it");
 }

@@ -8,7 +8,9 @@ mod recovery;
 use std::path::{Path, PathBuf};
 
 use catoptric_editor::Label;
-use catoptric_studio::{Command, StartDocument, Studio};
+use catoptric_studio::{
+    CameraCommand, Command, DisplayCommand, FileCommand, StartDocument, Studio, WindowCommand,
+};
 use egui::accesskit::Role;
 use egui::{ViewportCommand, ViewportEvent, ViewportId};
 use egui_kittest::Harness;
@@ -69,7 +71,7 @@ fn first_body(harness: &Kit) -> String {
     harness.state().editor().scene().bodies.get(0).map(|body| body.name.clone()).unwrap_or_default()
 }
 
-fn run(harness: &mut Kit, command: Command) {
+fn run(harness: &mut Kit, command: impl Into<Command>) {
     harness.state_mut().run(command);
     harness.run_steps(3);
 }
@@ -145,7 +147,7 @@ fn saving_keeps_comments_and_the_file_opens_again() {
     assert_eq!(first_body(&harness), "ball");
     rename(&mut harness, "orb");
     assert!(harness.state().editor().is_changed());
-    run(&mut harness, Command::Save);
+    run(&mut harness, FileCommand::Save);
     wait_until(&mut harness, "the file is saved", is_saved);
     assert_eq!(read(&path), SCENE.replace("\"ball\"", "\"orb\""));
     wait_for(&mut harness, "Saved: a.toml");
@@ -163,7 +165,7 @@ fn save_as_asks_for_a_name_and_adds_the_extension() {
     let (mut harness, path) = with_file(&host, SCENE);
     rename(&mut harness, "orb");
     host.answer(Some(host.path("b")));
-    run(&mut harness, Command::SaveAs);
+    run(&mut harness, FileCommand::SaveAs);
     wait_until(&mut harness, "b.toml is saved", |studio| title(studio) == "b.toml");
     assert_eq!(host.questions.lock().unwrap()[0].name, "a.toml");
     assert!(read(&host.path("b.toml")).contains("\"orb\"") && read(&path) == SCENE);
@@ -176,7 +178,7 @@ fn an_example_is_saved_under_a_name() {
     let mut harness = studio_with(host.clone(), StartDocument::Example("whitted".to_owned()));
     harness.run_steps(2);
     host.answer(Some(host.path("mine.toml")));
-    run(&mut harness, Command::Save);
+    run(&mut harness, FileCommand::Save);
     wait_until(&mut harness, "it is saved", |studio| title(studio) == "mine.toml");
     assert_eq!(host.questions.lock().unwrap()[0].name, "whitted.toml");
     assert!(read(&host.path("mine.toml")).starts_with("# "), "the comments are kept");
@@ -188,7 +190,7 @@ fn a_cancelled_question_saves_nothing() {
     let (mut harness, _) = with_file(&host, SCENE);
     rename(&mut harness, "orb");
     host.answer(None);
-    run(&mut harness, Command::SaveAs);
+    run(&mut harness, FileCommand::SaveAs);
     harness.run_steps(5);
     assert!(harness.state().editor().is_changed() && title(harness.state()) == "a.toml");
 }
@@ -231,7 +233,7 @@ fn closing_with_changes_can_save_them() {
 fn closing_with_changes_can_drop_them() {
     let (mut harness, path) = with_file(&TestHost::new(), SCENE);
     rename(&mut harness, "orb");
-    run(&mut harness, Command::Quit);
+    run(&mut harness, FileCommand::Quit);
     harness.get_by_role_and_label(Role::Button, "Don’t save").click();
     wait_for_close(&mut harness);
     assert!(closes(&mut harness));
@@ -242,7 +244,7 @@ fn closing_with_changes_can_drop_them() {
 fn a_new_scene_is_ready_to_work_in_and_replaces_changes_only_after_a_question() {
     let (mut harness, _) = with_file(&TestHost::new(), SCENE);
     rename(&mut harness, "orb");
-    run(&mut harness, Command::New);
+    run(&mut harness, FileCommand::New);
     assert_eq!(first_body(&harness), "orb");
     press(&mut harness, "Don’t save");
     let scene = harness.state().editor().scene().clone();
@@ -257,7 +259,7 @@ fn looking_around_in_an_example_raises_no_alarm() {
     let mut harness = studio_with(host.clone(), StartDocument::Example("four-bodies".to_owned()));
     harness.run_steps(3);
     let before = harness.state().editor().scene().camera;
-    run(&mut harness, Command::FrameAll);
+    run(&mut harness, CameraCommand::FrameAll);
     assert_ne!(harness.state().editor().scene().camera, before, "a render shows what is seen");
     let title = |harness: &mut Kit| {
         // The title is told when it changes.
@@ -280,16 +282,16 @@ fn looking_around_in_an_example_raises_no_alarm() {
         std::thread::sleep(std::time::Duration::from_millis(20));
     }
     assert!(recovery::kept(&host).is_empty());
-    run(&mut harness, Command::OpenExample("whitted"));
+    run(&mut harness, FileCommand::OpenExample("whitted"));
     assert_eq!(harness.state().editor().title(), "whitted", "without a question");
-    run(&mut harness, Command::FrameAll);
+    run(&mut harness, CameraCommand::FrameAll);
     assert!(closes(&mut harness));
     // With work under it, it is another thing.
     let mut harness = studio_with(TestHost::new(), StartDocument::Example("four-bodies".to_owned()));
     harness.run_steps(3);
     rename(&mut harness, "orb");
     assert!(title(&mut harness).is_some_and(|title| title.starts_with(['*', '•', '●'])));
-    run(&mut harness, Command::FrameAll);
+    run(&mut harness, CameraCommand::FrameAll);
     assert!(!closes(&mut harness));
     assert!(has(&harness, "Don’t save"));
 }
@@ -297,7 +299,7 @@ fn looking_around_in_an_example_raises_no_alarm() {
 #[test]
 fn turning_the_view_of_a_file_changes_the_file() {
     let (mut harness, path) = with_file(&TestHost::new(), SCENE);
-    run(&mut harness, Command::FrameAll);
+    run(&mut harness, CameraCommand::FrameAll);
     assert!(!closes(&mut harness));
     press(&mut harness, "Save");
     wait_for_close(&mut harness);
@@ -308,13 +310,13 @@ fn turning_the_view_of_a_file_changes_the_file() {
 fn what_is_edited_while_the_file_is_written_is_not_taken_for_saved() {
     let (mut harness, path) = with_file(&TestHost::new(), SCENE);
     rename(&mut harness, "orb");
-    harness.state_mut().run(Command::Save);
+    harness.state_mut().run(FileCommand::Save);
     harness.step();
     rename(&mut harness, "egg");
     wait_until(&mut harness, "the first name is written", |_| read(&path).contains("\"orb\""));
     wait_until(&mut harness, "saving ends", |studio| !studio.is_saving());
     assert!(harness.state().editor().is_changed() && first_body(&harness) == "egg");
-    run(&mut harness, Command::Save);
+    run(&mut harness, FileCommand::Save);
     wait_until(&mut harness, "the second name is written", is_saved);
     assert!(read(&path).contains("\"egg\""));
 }
@@ -323,7 +325,7 @@ fn what_is_edited_while_the_file_is_written_is_not_taken_for_saved() {
 fn what_comes_while_the_file_is_written_waits_for_it() {
     let (mut harness, path) = with_file(&TestHost::new(), SCENE);
     rename(&mut harness, "orb");
-    for command in [Command::Save, Command::Save, Command::New] {
+    for command in [FileCommand::Save, FileCommand::Save, FileCommand::New] {
         harness.state_mut().run(command);
     }
     wait_until(&mut harness, "the new scene is there", |studio| studio.editor().path().is_none());
@@ -341,13 +343,13 @@ fn a_file_changed_by_another_program_is_replaced_only_after_a_question() {
     rename(&mut harness, "orb");
     let theirs = format!("{SCENE}# theirs\n");
     std::fs::write(&path, &theirs).unwrap();
-    run(&mut harness, Command::Save);
+    run(&mut harness, FileCommand::Save);
     wait_until(&mut harness, "the answer of the disk", |studio| !studio.is_saving());
     harness.run_steps(2);
     assert!(tells(&harness, "Another program has changed “a.toml”"));
     press(&mut harness, "Cancel");
     assert!(read(&path) == theirs && harness.state().editor().is_changed());
-    run(&mut harness, Command::Save);
+    run(&mut harness, FileCommand::Save);
     wait_until(&mut harness, "the answer of the disk", |studio| !studio.is_saving());
     harness.run_steps(2);
     press(&mut harness, "Replace");
@@ -361,7 +363,7 @@ fn a_failed_saving_loses_nothing() {
     let (mut harness, path) = with_file(&host, SCENE);
     rename(&mut harness, "orb");
     host.answer(Some(host.path("no/such/folder/b.toml")));
-    run(&mut harness, Command::SaveAs);
+    run(&mut harness, FileCommand::SaveAs);
     wait_until(&mut harness, "the answer of the disk", |studio| !studio.is_saving());
     harness.run_steps(2);
     assert!(tells(&harness, "there is no folder") && tells(&harness, "Nothing is lost"));
@@ -377,7 +379,7 @@ fn reverting_is_one_step_that_can_be_undone() {
     let (mut harness, _) = with_file(&TestHost::new(), SCENE);
     rename(&mut harness, "orb");
     rename(&mut harness, "egg");
-    run(&mut harness, Command::Revert);
+    run(&mut harness, FileCommand::Revert);
     wait_until(&mut harness, "the file is back", is_saved);
     assert_eq!(first_body(&harness), "ball");
     assert!(harness.state_mut().editor_mut().undo());
@@ -414,8 +416,8 @@ fn the_title_of_the_window_names_the_document_and_marks_changes() {
 fn settings_survive_a_restart() {
     let host = TestHost::new();
     let (mut harness, path) = with_file(&host, SCENE);
-    run(&mut harness, Command::Language(catoptric_studio::Language::Russian));
-    run(&mut harness, Command::ToggleGrid);
+    run(&mut harness, WindowCommand::Language(catoptric_studio::Language::Russian));
+    run(&mut harness, DisplayCommand::ToggleGrid);
     eframe::App::on_exit(harness.state_mut());
     drop(harness);
     let mut harness = studio_with(host, StartDocument::Last);
@@ -430,7 +432,7 @@ fn settings_survive_a_restart() {
 fn settings_are_written_while_the_studio_runs() {
     let host = TestHost::new();
     let (mut harness, _) = with_file(&host, SCENE);
-    run(&mut harness, Command::ToggleGrid);
+    run(&mut harness, DisplayCommand::ToggleGrid);
     let settings = host.path("settings.json");
     wait_until(&mut harness, "the settings are written", |_| {
         read(&settings).contains("\"shows_grid\": false")

@@ -1,7 +1,7 @@
 //! The note below the picture: what to notice in an example.
 
 use catoptric_scene::Example;
-use catoptric_studio::{Command, Pane, StartDocument, Studio};
+use catoptric_studio::{Command, FileCommand, HelpCommand, Pane, StartDocument, Studio};
 use egui::Key;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
@@ -16,7 +16,7 @@ fn has(harness: &Kit, words: &str) -> bool {
     harness.query_all_by_label_contains(words).next().is_some()
 }
 
-fn run(harness: &mut Kit, command: Command) {
+fn run(harness: &mut Kit, command: impl Into<Command>) {
     harness.state_mut().run(command);
     harness.run_steps(4);
 }
@@ -33,17 +33,17 @@ fn an_example_says_what_to_notice_until_the_note_is_closed_and_again_when_asked(
     harness.state_mut().editor_mut().select(catoptric_editor::Item::Body(1));
     run(&mut harness, Command::Edit(catoptric_editor::Action::Duplicate));
     assert!(!has(&harness, NOTE));
-    run(&mut harness, Command::ExampleNote);
+    run(&mut harness, HelpCommand::ExampleNote);
     assert!(has(&harness, NOTE));
     harness.key_press(Key::Escape);
     harness.run_steps(3);
     assert!(!has(&harness, NOTE));
     // Another example has its own.
-    run(&mut harness, Command::New);
+    run(&mut harness, FileCommand::New);
     harness.get_by_label("Don’t save").click();
     harness.run_steps(3);
     assert!(!has(&harness, "what to notice"));
-    run(&mut harness, Command::OpenExample("whitted"));
+    run(&mut harness, FileCommand::OpenExample("whitted"));
     assert!(has(&harness, "what to notice"));
 }
 
@@ -61,7 +61,7 @@ fn esc_is_for_what_is_being_done_before_it_is_for_the_note() {
     harness.key_press(Key::Escape);
     harness.run_steps(3);
     assert!(has(&harness, NOTE), "the menu was closed");
-    run(&mut harness, Command::About);
+    run(&mut harness, HelpCommand::About);
     harness.key_press(Key::Escape);
     harness.run_steps(3);
     assert!(has(&harness, NOTE), "the explanations were closed");
@@ -74,7 +74,7 @@ fn esc_is_for_what_is_being_done_before_it_is_for_the_note() {
 fn the_note_lies_beside_the_picture_and_makes_way_in_a_small_window() {
     let mut harness = studio();
     for name in Example::ALL.iter().map(|example| example.name) {
-        run(&mut harness, Command::OpenExample(name));
+        run(&mut harness, FileCommand::OpenExample(name));
         let pane = harness.state().pane_rect(Pane::Viewport).unwrap();
         let picture = harness.state().viewport_rect().unwrap();
         let note = harness.get_by_label_contains("what to notice").rect();
@@ -85,7 +85,7 @@ fn the_note_lies_beside_the_picture_and_makes_way_in_a_small_window() {
     harness.run_steps(4);
     assert!(!has(&harness, "what to notice"));
     // There is no room, but it can be read.
-    run(&mut harness, Command::ExampleNote);
+    run(&mut harness, HelpCommand::ExampleNote);
     assert!(has(&harness, "what to notice"));
     harness.get_by_label("OK").click();
     harness.run_steps(3);
@@ -98,7 +98,7 @@ fn a_saved_example_keeps_its_note_and_a_file_has_none() {
     let mut harness = studio_with(host.clone(), StartDocument::Example("four-bodies".to_owned()));
     harness.run_steps(3);
     host.answer(Some(host.path("mine.toml")));
-    run(&mut harness, Command::SaveAs);
+    run(&mut harness, FileCommand::SaveAs);
     wait_until(&mut harness, "it is saved", |studio| studio.editor().title() == "mine.toml");
     harness.run_steps(3);
     assert!(has(&harness, NOTE));

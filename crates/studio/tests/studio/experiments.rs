@@ -4,7 +4,10 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use catoptric_live::DisplayContent;
-use catoptric_studio::{Command, CompareCommand, MeasureCommand, Pane, StartDocument, Studio};
+use catoptric_studio::{
+    Command, CompareCommand, DisplayCommand, MeasureCommand, Pane, PictureCommand, StartDocument, Studio,
+    WindowCommand,
+};
 use catoptric_tracer::raster::{GBufferLayer, Method, MethodKind};
 use egui::{Key, Modifiers, accesskit};
 use egui_kittest::Harness;
@@ -35,7 +38,7 @@ fn click(harness: &mut Harness<'static, Studio>, label: &str) {
     harness.run_steps(3);
 }
 
-fn run(harness: &mut Harness<'static, Studio>, command: Command) {
+fn run(harness: &mut Harness<'static, Studio>, command: impl Into<Command>) {
     harness.state_mut().run(command);
     harness.run_steps(3);
 }
@@ -80,23 +83,23 @@ fn a_way_of_drawing_is_chosen_over_the_picture() {
 fn layers_and_cubes_are_seen_and_become_pictures() {
     let (_host, mut harness) = open("english");
     // A traced picture has no layers.
-    run(&mut harness, Command::Show(DisplayContent::Layer(GBufferLayer::Depth)));
-    run(&mut harness, Command::Method(MethodKind::Ssr));
+    run(&mut harness, DisplayCommand::Show(DisplayContent::Layer(GBufferLayer::Depth)));
+    run(&mut harness, DisplayCommand::Method(MethodKind::Ssr));
     let shown = |studio: &Studio| studio.live().latest().map(|frame| frame.shows);
     wait_until(&mut harness, "reflections", |studio| {
         studio.live().status().method == Some(MethodKind::Ssr)
             && shown(studio) == Some(DisplayContent::Picture)
     });
-    run(&mut harness, Command::Show(DisplayContent::Layer(GBufferLayer::Normal)));
+    run(&mut harness, DisplayCommand::Show(DisplayContent::Layer(GBufferLayer::Normal)));
     wait_until(&mut harness, "normals", |studio| {
         shown(studio) == Some(DisplayContent::Layer(GBufferLayer::Normal))
     });
-    run(&mut harness, Command::RenderShown);
+    run(&mut harness, PictureCommand::RenderShown);
     wait_until(&mut harness, "a picture of them", |studio| !studio.is_rendering());
     harness.run_steps(4);
     assert!(harness.query_by_label_contains("Picture ").is_some());
-    run(&mut harness, Command::Method(MethodKind::CubeMap));
-    run(&mut harness, Command::Show(DisplayContent::UnfoldedCube(None)));
+    run(&mut harness, DisplayCommand::Method(MethodKind::CubeMap));
+    run(&mut harness, DisplayCommand::Show(DisplayContent::UnfoldedCube(None)));
     wait_until(&mut harness, "a cube", |studio| {
         matches!(shown(studio), Some(DisplayContent::UnfoldedCube(Some(_))))
     });
@@ -107,7 +110,7 @@ fn layers_and_cubes_are_seen_and_become_pictures() {
 fn pictures_are_compared_and_reported() {
     for language in LANGUAGES {
         let (host, mut harness) = open(language);
-        run(&mut harness, Command::TogglePane(Pane::Compare));
+        run(&mut harness, WindowCommand::TogglePane(Pane::Compare));
         wait_until(&mut harness, "a comparison", Studio::is_compared);
         harness.run_steps(4);
         for label in ["RMSE", "SSIM", "FLIP"] {
@@ -168,7 +171,7 @@ fn compared(harness: &Harness<'static, Studio>) -> Vec<String> {
 #[test]
 fn a_comparison_follows_the_scene_and_reads_files() {
     let (host, mut harness) = open("english");
-    run(&mut harness, Command::TogglePane(Pane::Compare));
+    run(&mut harness, WindowCommand::TogglePane(Pane::Compare));
     wait_until(&mut harness, "a comparison", Studio::is_compared);
     harness.run_steps(4);
     let drawn = compared(&harness);
@@ -214,7 +217,7 @@ fn retype(harness: &mut Harness<'static, Studio>, label: &str, text: &str) {
 fn times_are_measured_while_the_picture_waits_and_saved() {
     for language in LANGUAGES {
         let (host, mut harness) = open(language);
-        run(&mut harness, Command::TogglePane(Pane::Measure));
+        run(&mut harness, WindowCommand::TogglePane(Pane::Measure));
         let russian = language == "russian";
         let pixels = if russian { "Число пикселей C" } else { "Pixels C" };
         let values = harness.state().texts().with("measure-values", &[("parameter", pixels.into())]);

@@ -8,7 +8,7 @@ use catoptric_scene::{
     Model, Pattern, Phong, Shape, Sky, Surroundings,
 };
 use catoptric_studio::host::Host as _;
-use catoptric_studio::{Command, Pane, StartDocument, Studio};
+use catoptric_studio::{Command, Pane, StartDocument, Studio, WindowCommand};
 use egui::epaint::ClippedShape;
 use egui::{Rect, Role, vec2};
 use egui_kittest::Harness;
@@ -318,7 +318,7 @@ fn the_drawer_fits_a_small_window() {
     for language in ["english", "russian"] {
         let mut window = open(language);
         for pane in [Pane::Problems, Pane::Audit, Pane::Compare, Pane::Measure, Pane::Materials] {
-            window.state_mut().run(Command::TogglePane(pane));
+            window.state_mut().run(WindowCommand::TogglePane(pane));
             for zoom in ZOOMS {
                 show(&mut window, [800.0, 500.0], zoom, &[]);
                 let rect = window.state().pane_rect(pane).unwrap();
@@ -337,8 +337,8 @@ fn what_opens_over_a_small_window_fits() {
     let mut faults = Vec::new();
     for language in ["english", "russian"] {
         let mut window = open(language);
-        for command in [Command::Manual, Command::ExampleNote, Command::Open] {
-            window.state_mut().run(command.clone());
+        for command in ["help.manual", "help.example-note", "file.open"] {
+            window.state_mut().run(Command::from_name(command).unwrap().clone());
             for zoom in ZOOMS {
                 show(&mut window, [800.0, 500.0], zoom, &[]);
                 window.run_steps(3);

@@ -1,7 +1,7 @@
 //! Experiments over the picture and in the inspector: maps, depth, energy, exact answers.
 
 use catoptric_lab::maps::MapKind;
-use catoptric_studio::{Command, Language, StartDocument, Studio};
+use catoptric_studio::{DisplayCommand, Language, StartDocument, Studio, WindowCommand};
 use egui::Event;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -34,16 +34,16 @@ fn wait_for(harness: &mut Harness<'static, Studio>, start: &str) -> String {
 #[test]
 fn a_map_is_shown_with_a_legend_in_both_languages() {
     let mut harness = example("four-bodies");
-    harness.state_mut().run(Command::Map(Some(MapKind::Generations)));
+    harness.state_mut().run(DisplayCommand::Map(Some(MapKind::Generations)));
     wait_for(&mut harness, "Generations reached: mean ");
     let middle = harness.state().viewport_rect().unwrap().center();
     harness.event(Event::PointerMoved(middle));
     harness.run_steps(3);
-    harness.state_mut().run(Command::Language(Language::Russian));
-    harness.state_mut().run(Command::Map(Some(MapKind::Clipped)));
+    harness.state_mut().run(WindowCommand::Language(Language::Russian));
+    harness.state_mut().run(DisplayCommand::Map(Some(MapKind::Clipped)));
     wait_for(&mut harness, "Свет ярче белого: в среднем ");
     assert_eq!(harness.state().texts().missing(), Vec::<String>::new());
-    harness.state_mut().run(Command::Map(None));
+    harness.state_mut().run(DisplayCommand::Map(None));
     harness.run_steps(3);
     assert!(!words(&harness).iter().any(|words| words.starts_with("Свет ярче белого")));
     wait_until(&mut harness, "the picture", |studio| studio.live().latest().is_some());
@@ -62,7 +62,7 @@ fn the_generations_that_are_needed_are_told_and_set() {
     harness.get_by_label(&button).click();
     harness.run_steps(3);
     assert_eq!(harness.state().editor().scene().tracing.generations, wanted);
-    harness.state_mut().run(Command::Language(Language::Russian));
+    harness.state_mut().run(WindowCommand::Language(Language::Russian));
     wait_for(&mut harness, "До трассировки: ");
     assert_eq!(harness.state().texts().missing(), Vec::<String>::new());
 }
@@ -138,11 +138,11 @@ fn every_model_is_warned_of_in_its_own_words() {
             let _ = harness.state_mut().editor_mut().apply(action);
         };
         give(&mut harness, material.clone());
-        harness.state_mut().run(Command::Language(Language::English));
+        harness.state_mut().run(WindowCommand::Language(Language::English));
         harness.run_steps(4);
         let seen = words(&harness);
         assert!(seen.iter().any(|words| words.replace('\u{a0}', " ") == english), "{english}: {seen:#?}");
-        harness.state_mut().run(Command::Language(Language::Russian));
+        harness.state_mut().run(WindowCommand::Language(Language::Russian));
         harness.run_steps(4);
         assert!(words(&harness).iter().any(|words| words.starts_with(russian)), "{russian}");
         let mut fair = Material::from(material.model());
@@ -160,15 +160,15 @@ fn exact_answers_stand_over_the_picture() {
     let scene = harness.state().editor().scene().clone();
     let body = scene.bodies.iter().position(|body| body.name == "red ball").unwrap();
     harness.state_mut().editor_mut().select(catoptric_editor::Item::Body(body));
-    harness.state_mut().run(Command::ToggleExact);
+    harness.state_mut().run(DisplayCommand::ToggleExact);
     let image = wait_for(&mut harness, "Image in ");
     assert!(image.contains("\ntracer: off by "), "{image}");
     let is_ring = |words: &String| words.contains(" images between mirrors at 60°");
     assert!(words(&harness).iter().any(is_ring), "{:#?}", words(&harness));
-    harness.state_mut().run(Command::Language(Language::Russian));
+    harness.state_mut().run(WindowCommand::Language(Language::Russian));
     wait_for(&mut harness, "Изображение в зеркале ");
     assert_eq!(harness.state().texts().missing(), Vec::<String>::new());
-    harness.state_mut().run(Command::ToggleExact);
+    harness.state_mut().run(DisplayCommand::ToggleExact);
     harness.run_steps(3);
     assert!(!words(&harness).iter().any(|words| words.starts_with("Изображение в зеркале ")));
 }

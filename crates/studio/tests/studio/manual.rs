@@ -1,6 +1,6 @@
 //! The manual: pages, links, search, in both languages, with letters that the fonts have.
 
-use catoptric_studio::{Command, Language, Studio};
+use catoptric_studio::{Command, HelpCommand, Language, Studio, WindowCommand};
 use egui::accesskit::Role;
 use egui::{Key, OutputCommand};
 use egui_kittest::Harness;
@@ -10,15 +10,15 @@ use crate::kit::studio;
 
 type Kit = Harness<'static, Studio>;
 
-fn run(harness: &mut Kit, command: Command) {
+fn run(harness: &mut Kit, command: impl Into<Command>) {
     harness.state_mut().run(command);
     harness.run_steps(4);
 }
 
 fn open(language: Language) -> Kit {
     let mut harness = studio();
-    run(&mut harness, Command::Language(language));
-    run(&mut harness, Command::Manual);
+    run(&mut harness, WindowCommand::Language(language));
+    run(&mut harness, HelpCommand::Manual);
     harness
 }
 
@@ -120,7 +120,7 @@ fn a_search_finds_all_pages_and_a_hit_jumps_to_its_place() {
 fn the_language_of_the_window_is_that_of_the_manual() {
     let mut harness = open(Language::English);
     assert_eq!(page(&harness), "The studio");
-    run(&mut harness, Command::Language(Language::Russian));
+    run(&mut harness, WindowCommand::Language(Language::Russian));
     assert_eq!(page(&harness), "Студия");
 }
 

@@ -2,7 +2,7 @@
 
 use catoptric_editor::{Item, Selection};
 use catoptric_scene::{Body, Conductor, Material, MaterialChoice, MetalOptics, Model};
-use catoptric_studio::{Command, Language, Pane, Studio};
+use catoptric_studio::{Language, Pane, Studio, WindowCommand};
 use egui::{Event, Key, Modifiers, Role};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
@@ -175,8 +175,8 @@ fn the_panel_speaks_both_languages_and_is_remembered() {
     let start = catoptric_studio::StartDocument::Example("four-bodies".to_owned());
     let mut harness = studio_with(host.clone(), start.clone());
     harness.run_steps(3);
-    harness.state_mut().run(Command::TogglePane(Pane::Materials));
-    harness.state_mut().run(Command::Language(Language::Russian));
+    harness.state_mut().run(WindowCommand::TogglePane(Pane::Materials));
+    harness.state_mut().run(WindowCommand::Language(Language::Russian));
     harness.run_steps(4);
     harness.get_by_label("В этой сцене");
     harness.get_by_label("Найти по названию").click();

@@ -1,6 +1,6 @@
 //! The menu bar by keys: F10 and Alt, arrows, Enter, Esc.
 
-use catoptric_studio::{Command, Studio};
+use catoptric_studio::{HelpCommand, Studio};
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, PointerButton, Popup};
 use egui_kittest::Harness;
@@ -195,7 +195,7 @@ fn folded_menus_are_reached_by_keys_too() {
 #[test]
 fn the_bar_behind_a_dialog_is_not_reached() {
     let mut harness = opened();
-    harness.state_mut().run(Command::About);
+    harness.state_mut().run(HelpCommand::About);
     settle(&mut harness);
     press(&mut harness, Key::F10);
     alt(&mut harness, true);

@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use catoptric_editor::{Action, Item, Label, NewBodyPlacement};
 use catoptric_scene::{Example, MaterialChoice, ShapeKind};
-use catoptric_studio::{Command, StartDocument, Studio};
+use catoptric_studio::{CameraCommand, Command, FileCommand, StartDocument, Studio};
 use egui::{
     Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, TouchPhase, accesskit,
     pos2, vec2,
@@ -117,8 +117,8 @@ impl Monkey {
     fn command(&mut self) -> String {
         let all: Vec<&Command> = Command::all().collect();
         let command = match self.dice.below(12) {
-            0 => Command::OpenExample(self.dice.one(Example::ALL).name),
-            1 => Command::OpenFile(self.scene_file()),
+            0 => FileCommand::OpenExample(self.dice.one(Example::ALL).name).into(),
+            1 => FileCommand::OpenFile(self.scene_file()).into(),
             _ => (*self.dice.one(&all)).clone(),
         };
         let said = format!("{command:?}");
@@ -274,7 +274,7 @@ impl Monkey {
             self.harness.step();
         }
         if self.dice.below(3) == 0 {
-            self.harness.state_mut().run(Command::ToggleFly);
+            self.harness.state_mut().run(CameraCommand::ToggleFly);
             self.harness.step();
         }
         let before = self.harness.state().view_camera();

@@ -2,7 +2,7 @@
 
 use catoptric_editor::Item;
 use catoptric_scene::{Body, Scene};
-use catoptric_studio::{Command, Studio};
+use catoptric_studio::{FileCommand, SelectionCommand, Studio, WindowCommand};
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, Pos2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -126,7 +126,7 @@ fn a_name_is_not_given_to_another_document() {
     settle(&mut harness);
     harness.event(Event::Text("Ball".to_owned()));
     harness.step();
-    harness.state_mut().run(Command::OpenExample("whitted"));
+    harness.state_mut().run(FileCommand::OpenExample("whitted"));
     settle(&mut harness);
     let before = names(&harness);
     harness.key_press(Key::Enter);
@@ -142,9 +142,9 @@ fn renaming_opens_a_folded_list_and_a_hidden_panel() {
     row(&harness, "Bodies").click();
     settle(&mut harness);
     harness.state_mut().editor_mut().select(Item::Body(1));
-    harness.state_mut().run(Command::TogglePane(catoptric_studio::Pane::Outliner));
+    harness.state_mut().run(WindowCommand::TogglePane(catoptric_studio::Pane::Outliner));
     settle(&mut harness);
-    harness.state_mut().run(Command::Rename);
+    harness.state_mut().run(SelectionCommand::Rename);
     settle(&mut harness);
     type_name(&mut harness, "Ball", Key::Enter);
     assert_eq!(names(&harness)[1], "Ball");

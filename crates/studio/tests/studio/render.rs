@@ -7,7 +7,9 @@ use std::time::{Duration, Instant};
 use catoptric_picture::{BitDepth, Development, Picture, ToneCurve, encode_exr, encode_png, read};
 use catoptric_scene::Scene;
 use catoptric_studio::host::PictureClipboard;
-use catoptric_studio::{Command, Language, StartDocument, Studio, ZoomStep};
+use catoptric_studio::{
+    CameraCommand, Language, PictureCommand, StartDocument, Studio, WindowCommand, ZoomStep,
+};
 use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, render};
 use egui::accesskit::Role;
 use egui::{OutputCommand, ViewportCommand};
@@ -23,7 +25,7 @@ fn on(host: &TestHost) -> Hands {
 }
 
 fn open_dialog(harness: &mut Hands) {
-    harness.state_mut().run(Command::Render);
+    harness.state_mut().run(PictureCommand::Render);
     settle(harness);
     assert!(is_seen(harness, "Render a picture"));
 }
@@ -182,7 +184,7 @@ fn edits_and_the_free_view_do_not_disturb_a_render() {
     let host = TestHost::new();
     let mut harness = on(&host);
     harness.run();
-    harness.state_mut().run(Command::LookAlong(catoptric_editor::navigate::ViewSide::Left));
+    harness.state_mut().run(CameraCommand::LookAlong(catoptric_editor::navigate::ViewSide::Left));
     harness.run();
     open_dialog(&mut harness);
     assert!(is_seen(&harness, "through the scene’s camera"));
@@ -329,9 +331,9 @@ fn a_picture_can_be_closed_however_much_is_magnified() {
         harness.run();
         start_small(&mut harness);
         wait_for(&mut harness, "Picture 96 × 54");
-        harness.state_mut().run(Command::Language(language));
+        harness.state_mut().run(WindowCommand::Language(language));
         for _ in 0..12 {
-            harness.state_mut().run(Command::Zoom(ZoomStep::In));
+            harness.state_mut().run(WindowCommand::Zoom(ZoomStep::In));
             harness.step();
         }
         settle(&mut harness);
@@ -445,7 +447,7 @@ fn pictures_go_to_the_clipboard_one_after_another() {
     // The clipboard is busy with the first for a while.
     let busy = COPIED.lock().unwrap();
     press(&mut harness, "Copy");
-    harness.state_mut().run(Command::CopyPicture);
+    harness.state_mut().run(PictureCommand::Copy);
     settle(&mut harness);
     assert!(harness.get_by_role_and_label(Role::Button, "Copy").accesskit_node().is_disabled());
     drop(busy);
@@ -465,7 +467,7 @@ fn the_refined_viewport_goes_to_the_clipboard() {
     std::fs::write(host.path("settings.json"), settings).unwrap();
     let mut harness = on(&host);
     harness.run();
-    harness.state_mut().run(Command::CopyPicture);
+    harness.state_mut().run(PictureCommand::Copy);
     let image = wait_for_image(&mut harness);
     let frame = harness.state().live().latest().unwrap();
     assert_eq!(image.size, frame.view_size.map(|side| side as usize));
@@ -516,9 +518,9 @@ fn a_render_that_ends_behind_other_windows_asks_for_attention() {
 fn everything_is_said_in_russian_too() {
     let host = TestHost::new();
     let mut harness = on(&host);
-    harness.state_mut().run(Command::Language(Language::Russian));
+    harness.state_mut().run(WindowCommand::Language(Language::Russian));
     harness.run();
-    harness.state_mut().run(Command::Render);
+    harness.state_mut().run(PictureCommand::Render);
     settle(&mut harness);
     for label in ["Рендер изображения", "Отсчётов на пиксель: 16", "Файл", "Тональная кривая"]
     {

@@ -5,7 +5,7 @@ use std::panic::catch_unwind;
 
 use catoptric_editor::Item;
 use catoptric_studio::host::Host as _;
-use catoptric_studio::{Command, StartDocument, Studio, Theme};
+use catoptric_studio::{DisplayCommand, HelpCommand, StartDocument, Studio, Theme, WindowCommand};
 use eframe::egui_wgpu::{RenderState, RendererOptions};
 use egui::{Color32, FontId};
 use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
@@ -72,9 +72,9 @@ fn a_window_drawn_in_parts_looks_as_egui_draws_it() {
         ("the camera", |studio| studio.editor_mut().select(Item::Camera)),
         ("a body selected", |studio| studio.editor_mut().select(Item::Body(1))),
         ("another one", |studio| studio.editor_mut().select(Item::Body(3))),
-        ("a dialog over it", |studio| studio.run(Command::Terms)),
-        ("other colors", |studio| studio.run(Command::Theme(Theme::Light))),
-        ("no grid", |studio| studio.run(Command::ToggleGrid)),
+        ("a dialog over it", |studio| studio.run(HelpCommand::Terms)),
+        ("other colors", |studio| studio.run(WindowCommand::Theme(Theme::Light))),
+        ("no grid", |studio| studio.run(DisplayCommand::ToggleGrid)),
     ];
     for (what, step) in steps {
         let [expected, found] = [&mut theirs, &mut ours].map(|harness| {

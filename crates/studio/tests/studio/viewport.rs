@@ -71,7 +71,7 @@ impl Hand {
         self.harness.state().editor().steps_done()
     }
 
-    fn run(&mut self, command: Command) {
+    fn run(&mut self, command: impl Into<Command>) {
         self.harness.state_mut().run(command);
         self.harness.step();
         self.harness.step();

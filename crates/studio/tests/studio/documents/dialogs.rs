@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use catoptric_studio::Language;
+use catoptric_studio::{FileCommand, Language, WindowCommand};
 use egui::{DroppedFile, Key};
 use egui_kittest::kittest::NodeT as _;
 
@@ -53,12 +53,12 @@ fn a_partly_read_file_is_replaced_only_after_a_question() {
     let host = TestHost::new();
     let (mut harness, path) = with_file(&host, DAMAGED);
     rename(&mut harness, "orb");
-    run(&mut harness, Command::Save);
+    run(&mut harness, FileCommand::Save);
     assert!(tells(&harness, "Only a part of “a.toml” is open"));
     press(&mut harness, "Cancel");
     assert_eq!(read(&path), DAMAGED);
     // The proposed answer is another name.
-    run(&mut harness, Command::Save);
+    run(&mut harness, FileCommand::Save);
     host.answer(Some(host.path("b.toml")));
     harness.key_press(Key::Enter);
     wait_until(&mut harness, "it is saved elsewhere", is_saved);
@@ -67,7 +67,7 @@ fn a_partly_read_file_is_replaced_only_after_a_question() {
     assert!(!tells(&harness, "2 problems"), "the new file has none");
     // From now on it is a file like others.
     rename(&mut harness, "egg");
-    run(&mut harness, Command::Save);
+    run(&mut harness, FileCommand::Save);
     wait_until(&mut harness, "it is saved", is_saved);
 }
 
@@ -100,7 +100,7 @@ fn findings_are_told_in_the_language_of_the_window() {
         ]
     );
     // The same findings, in the other language, without reading the file again.
-    run(&mut harness, Command::Language(Language::Russian));
+    run(&mut harness, WindowCommand::Language(Language::Russian));
     assert_eq!(
         findings(&harness),
         [
@@ -116,9 +116,9 @@ fn findings_are_told_in_the_language_of_the_window() {
 fn a_file_without_a_scene_is_refused_in_the_language_of_the_window() {
     let host = TestHost::new();
     let (mut harness, _) = with_file(&host, SCENE);
-    run(&mut harness, Command::Language(Language::Russian));
+    run(&mut harness, WindowCommand::Language(Language::Russian));
     std::fs::write(host.path("other.toml"), "[package]\nname = 'x'\n").unwrap();
-    run(&mut harness, Command::OpenFile(host.path("other.toml")));
+    run(&mut harness, FileCommand::OpenFile(host.path("other.toml")));
     wait_until(&mut harness, "the file is refused", |studio| !studio.is_opening());
     harness.run_steps(2);
     assert!(tells(&harness, "1:2: ошибка: у сцены нет ключа `package`"));
@@ -138,7 +138,7 @@ fn what_cannot_be_opened_leaves_the_open_document() {
         ("other.toml", "There is no scene in"),
         ("folder.toml", "is a folder"),
     ] {
-        run(&mut harness, Command::OpenFile(host.path(name)));
+        run(&mut harness, FileCommand::OpenFile(host.path(name)));
         wait_until(&mut harness, "the file is refused", |studio| !studio.is_opening());
         harness.run_steps(2);
         assert!(tells(&harness, words), "{name}");
@@ -154,11 +154,11 @@ fn a_recent_file_opens_and_a_missing_one_leaves_the_list() {
     let (mut harness, path) = with_file(&host, SCENE);
     let other = host.path("b.toml");
     std::fs::write(&other, SCENE).unwrap();
-    run(&mut harness, Command::OpenFile(other.clone()));
+    run(&mut harness, FileCommand::OpenFile(other.clone()));
     wait_until(&mut harness, "b is open", |studio| title(studio) == "b.toml");
     assert_eq!(harness.state().settings().recent, [other.clone(), path.clone()]);
     std::fs::remove_file(&path).unwrap();
-    run(&mut harness, Command::OpenFile(path));
+    run(&mut harness, FileCommand::OpenFile(path));
     wait_until(&mut harness, "it is refused", |studio| !studio.is_opening());
     harness.run_steps(2);
     assert!(tells(&harness, "There is no file"));
@@ -202,7 +202,7 @@ fn a_document_that_is_opened_again_after_saving_shows_what_was_saved() {
     let host = TestHost::new();
     let (mut harness, path) = with_file(&host, SCENE);
     rename(&mut harness, "orb");
-    run(&mut harness, Command::OpenFile(path));
+    run(&mut harness, FileCommand::OpenFile(path));
     wait_for(&mut harness, "Save the changes to “a.toml”?");
     harness.key_press(Key::Enter);
     wait_until(&mut harness, "it is saved and open again", |studio| {
@@ -214,7 +214,7 @@ fn a_document_that_is_opened_again_after_saving_shows_what_was_saved() {
 #[test]
 fn an_example_is_found_in_the_gallery_and_opened_by_keys() {
     let (mut harness, _) = with_file(&TestHost::new(), SCENE);
-    run(&mut harness, Command::Examples);
+    run(&mut harness, FileCommand::Examples);
     assert!(has(&harness, "Four bodies"));
     harness.get_by_role_and_label(Role::SearchInput, "Search the examples").type_text("whitted");
     harness.run_steps(3);
@@ -228,15 +228,15 @@ fn an_example_is_found_in_the_gallery_and_opened_by_keys() {
 #[test]
 fn the_arrow_keys_walk_through_the_gallery_and_a_click_opens() {
     let (mut harness, _) = with_file(&TestHost::new(), SCENE);
-    run(&mut harness, Command::Examples);
+    run(&mut harness, FileCommand::Examples);
     harness.key_press(Key::ArrowRight);
     harness.key_press(Key::Enter);
     harness.run_steps(4);
     assert_eq!(title(harness.state()), catoptric_scene::Example::ALL[1].name);
-    run(&mut harness, Command::Examples);
+    run(&mut harness, FileCommand::Examples);
     press(&mut harness, "Four bodies");
     assert_eq!(title(harness.state()), "four-bodies");
-    run(&mut harness, Command::Examples);
+    run(&mut harness, FileCommand::Examples);
     harness.key_press(Key::Escape);
     harness.run_steps(3);
     assert!(!tells(&harness, "Search the examples"));
@@ -253,7 +253,7 @@ fn a_file_that_was_being_read_while_the_scene_changed_is_shown_after_a_question(
         text += &format!("[[bodies]]\nname = \"b{index}\"\nshape = \"sphere\"\nposition = [{index}, 0, 0]\n");
     }
     std::fs::write(&other, text).unwrap();
-    harness.state_mut().run(Command::OpenFile(other));
+    harness.state_mut().run(FileCommand::OpenFile(other));
     harness.step();
     rename(&mut harness, "orb");
     wait_until(&mut harness, "the file has been read", |studio| !studio.is_opening());
@@ -268,7 +268,7 @@ fn an_unused_material_opens_without_alarm_and_is_a_note() {
     let (mut harness, _) =
         with_file(&TestHost::new(), &format!("{SCENE}\n[materials.spare]\ncolor = [1, 0, 0]\n"));
     assert!(!tells(&harness, "warning") && !tells(&harness, "is not used"), "no banner, no panel");
-    run(&mut harness, Command::TogglePane(catoptric_studio::Pane::Problems));
+    run(&mut harness, WindowCommand::TogglePane(catoptric_studio::Pane::Problems));
     assert!(tells(&harness, "1 note on a.toml"));
     assert!(tells(&harness, "note: the material `spare` is not used"));
 }
@@ -284,7 +284,7 @@ fn a_note_beside_a_warning_is_not_counted_as_one() {
 #[test]
 fn the_second_click_of_a_double_click_stays_in_the_gallery() {
     let (mut harness, _) = with_file(&TestHost::new(), SCENE);
-    run(&mut harness, Command::Examples);
+    run(&mut harness, FileCommand::Examples);
     let at = harness.get_by_role_and_label(Role::Button, "Four bodies").rect().center();
     let button = |pressed| egui::Event::PointerButton {
         pos: at,

@@ -1,5 +1,6 @@
 //! The studio's own dialog for files, which appears where the system has none.
 
+use catoptric_studio::FileCommand;
 use egui::Key;
 
 use super::*;
@@ -12,7 +13,7 @@ fn type_name(harness: &mut Kit, text: &str) {
 }
 
 /// Opens the dialog, which lists the folder of the document.
-fn open(harness: &mut Kit, command: Command, listed: &str) {
+fn open(harness: &mut Kit, command: impl Into<Command>, listed: &str) {
     run(harness, command);
     wait_for(harness, listed);
 }
@@ -26,7 +27,7 @@ fn a_file_is_found_by_typing_and_opened_with_enter() {
     std::fs::write(host.path("scenes/deep.toml"), SCENE).unwrap();
     std::fs::write(host.path("picture.png"), "no scene").unwrap();
     let (mut harness, _) = with_file(&host, SCENE);
-    open(&mut harness, Command::Open, "a.toml");
+    open(&mut harness, FileCommand::Open, "a.toml");
     assert!(has(&harness, "scenes") && !has(&harness, "picture.png"), "only what fits");
     harness.get_by_label("All files").click();
     harness.run_steps(2);
@@ -47,7 +48,7 @@ fn a_typed_path_is_opened() {
     let (mut harness, _) = with_file(&host, SCENE);
     let other = host.path("b.toml");
     std::fs::write(&other, SCENE).unwrap();
-    open(&mut harness, Command::Open, "a.toml");
+    open(&mut harness, FileCommand::Open, "a.toml");
     type_name(&mut harness, &other.display().to_string());
     harness.key_press(Key::Enter);
     wait_until(&mut harness, "the file is open", |studio| title(studio) == "b.toml");
@@ -58,7 +59,7 @@ fn a_file_is_saved_under_a_new_name() {
     let host = TestHost::new();
     let (mut harness, path) = with_file(&host, SCENE);
     rename(&mut harness, "orb");
-    open(&mut harness, Command::SaveAs, "a.toml");
+    open(&mut harness, FileCommand::SaveAs, "a.toml");
     // The old name is proposed, and replaced by the new one as a whole.
     harness.key_press_modifiers(egui::Modifiers::COMMAND, Key::A);
     type_name(&mut harness, "c");
@@ -73,7 +74,7 @@ fn an_existing_file_is_replaced_only_after_a_question() {
     let (mut harness, _) = with_file(&host, SCENE);
     let other = host.path("b.toml");
     std::fs::write(&other, "theirs").unwrap();
-    open(&mut harness, Command::SaveAs, "b.toml");
+    open(&mut harness, FileCommand::SaveAs, "b.toml");
     harness.get_by_role_and_label(Role::Button, "b.toml").click();
     harness.run_steps(2);
     press(&mut harness, "Save");
@@ -94,7 +95,7 @@ fn folders_lead_up_and_back_and_esc_closes() {
     std::fs::write(host.path("scenes/deep.toml"), SCENE).unwrap();
     let mut harness = studio_with(host.clone(), StartDocument::File(host.path("scenes/deep.toml")));
     harness.run_steps(3);
-    open(&mut harness, Command::Open, "deep.toml");
+    open(&mut harness, FileCommand::Open, "deep.toml");
     press(&mut harness, "Parent folder");
     wait_for(&mut harness, "scenes");
     assert!(has(&harness, "scenes") && !has(&harness, "deep.toml"));
@@ -102,7 +103,7 @@ fn folders_lead_up_and_back_and_esc_closes() {
     harness.run_steps(3);
     assert!(!has(&harness, "All files"));
     // Nothing is being asked any more: the question can be asked again.
-    open(&mut harness, Command::Open, "deep.toml");
+    open(&mut harness, FileCommand::Open, "deep.toml");
 }
 
 #[test]
@@ -110,7 +111,7 @@ fn a_new_folder_is_made_and_entered() {
     let host = TestHost::new();
     let (mut harness, _) = with_file(&host, SCENE);
     rename(&mut harness, "orb");
-    open(&mut harness, Command::SaveAs, "a.toml");
+    open(&mut harness, FileCommand::SaveAs, "a.toml");
     press(&mut harness, "New folder");
     let field = |harness: &Kit| {
         harness.get_by_role_and_label(Role::TextInput, "Name of the new folder").value().unwrap_or_default()
@@ -137,7 +138,7 @@ fn a_new_folder_is_made_and_entered() {
 fn esc_gives_up_the_new_folder_and_not_the_dialog() {
     let host = TestHost::new();
     let (mut harness, _) = with_file(&host, SCENE);
-    open(&mut harness, Command::Open, "a.toml");
+    open(&mut harness, FileCommand::Open, "a.toml");
     press(&mut harness, "New folder");
     harness.key_press(Key::Escape);
     harness.run_steps(3);

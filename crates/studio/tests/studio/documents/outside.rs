@@ -1,6 +1,7 @@
 //! Another program changes the file of the open document.
 
 use super::*;
+use catoptric_studio::FileCommand;
 
 const CHANGED: &str = "Another program has changed “a.toml”";
 
@@ -29,7 +30,7 @@ fn a_changed_file_can_be_reloaded_and_the_reload_undone() {
     assert!(harness.state_mut().editor_mut().undo());
     assert_eq!(first_body(&harness), "ball");
     // The file is known as it is now: saving asks nothing.
-    run(&mut harness, Command::Save);
+    run(&mut harness, FileCommand::Save);
     wait_until(&mut harness, "it is saved", is_saved);
     assert_eq!(read(&path), SCENE);
 }
@@ -46,7 +47,7 @@ fn what_is_kept_is_said_once_and_saving_asks() {
     std::thread::sleep(std::time::Duration::from_millis(300));
     harness.run_steps(3);
     assert!(!tells(&harness, CHANGED) && first_body(&harness) == "orb");
-    run(&mut harness, Command::Save);
+    run(&mut harness, FileCommand::Save);
     wait_until(&mut harness, "the answer of the disk", |studio| !studio.is_saving());
     harness.run_steps(2);
     assert!(tells(&harness, "is no longer the one that was opened here"));
@@ -67,7 +68,7 @@ fn the_same_text_and_own_savings_are_no_changes() {
     std::thread::sleep(std::time::Duration::from_millis(500));
     harness.run_steps(3);
     rename(&mut harness, "orb");
-    run(&mut harness, Command::Save);
+    run(&mut harness, FileCommand::Save);
     wait_until(&mut harness, "it is saved", is_saved);
     for _ in 0..5 {
         focus(&mut harness);

@@ -1,5 +1,6 @@
 //! What is left when the studio does not end well.
 
+use catoptric_studio::FileCommand;
 use std::process::Stdio;
 
 use catoptric_editor::Action;
@@ -35,7 +36,7 @@ fn changes_are_kept_until_they_are_saved_or_taken_back() {
     rename(&mut harness, "egg");
     wait_until_kept(&mut harness, &host, "egg");
     assert_eq!(read(&path), SCENE, "the file itself is left alone");
-    run(&mut harness, Command::Save);
+    run(&mut harness, FileCommand::Save);
     wait_until(&mut harness, "nothing is kept", |_| kept(&host).is_empty());
     drop(harness);
     assert!(kept(&host).is_empty());
@@ -83,7 +84,7 @@ fn a_crash_leaves_the_changes_and_the_next_studio_offers_them() {
         assert!(!kept.is_empty());
         kept.len() == 1
     });
-    run(&mut harness, Command::Save);
+    run(&mut harness, FileCommand::Save);
     wait_until(&mut harness, "it is saved", is_saved);
     assert_eq!(read(&path), SCENE.replace("\"ball\"", "\"orb\""));
     wait_until(&mut harness, "nothing is kept", |_| kept(&host).is_empty());
@@ -121,7 +122,7 @@ fn a_restored_scene_does_not_replace_a_newer_file_unasked() {
     wait_for_offer(&mut harness);
     press(&mut harness, "Restore: a.toml");
     wait_until(&mut harness, "it is restored", |studio| studio.editor().is_changed());
-    run(&mut harness, Command::Save);
+    run(&mut harness, FileCommand::Save);
     wait_until(&mut harness, "the answer of the disk", |studio| !studio.is_saving());
     harness.run_steps(2);
     assert!(tells(&harness, "Another program has changed") && read(&path).ends_with("# newer\n"));
@@ -138,7 +139,7 @@ fn a_restored_part_does_not_replace_the_whole_file_unasked() {
     wait_for_offer(&mut harness);
     press(&mut harness, "Restore: a.toml");
     wait_until(&mut harness, "it is restored", |studio| studio.editor().is_changed());
-    run(&mut harness, Command::Save);
+    run(&mut harness, FileCommand::Save);
     wait_until(&mut harness, "the answer of the disk", |studio| !studio.is_saving());
     harness.run_steps(2);
     assert!(has(&harness, "Replace") && read(&path) == DAMAGED);
@@ -180,7 +181,7 @@ fn leaving_without_saving_on_purpose_keeps_nothing() {
     let (mut harness, _) = with_file(&host, SCENE);
     rename(&mut harness, "orb");
     wait_until_kept(&mut harness, &host, "orb");
-    run(&mut harness, Command::Quit);
+    run(&mut harness, FileCommand::Quit);
     press(&mut harness, "Don’t save");
     eframe::App::on_exit(harness.state_mut());
     drop(harness);

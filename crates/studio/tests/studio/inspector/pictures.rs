@@ -1,5 +1,6 @@
 //! Pictures around the bodies and on them, and patterns.
 
+use catoptric_studio::{FileCommand, PictureCommand};
 use std::path::Path;
 
 use catoptric_picture::{Picture, write_exr};
@@ -97,7 +98,7 @@ fn chosen_gray(window: &mut Window) -> f32 {
 }
 
 fn save_as(window: &mut Window, name: &str) {
-    window.state_mut().run(catoptric_studio::Command::SaveAs);
+    window.state_mut().run(FileCommand::SaveAs);
     window.run_steps(4);
     wait_until(window, "the file", |studio| !studio.is_saving() && studio.editor().title() == name);
 }
@@ -139,14 +140,14 @@ fn after_saving_elsewhere_every_step_finds_its_pictures() {
     save_as(&mut window, "a.toml");
     assert_eq!(chosen_gray(&mut window), 0.25);
     let resave = |window: &mut Window| {
-        window.state_mut().run(catoptric_studio::Command::Save);
+        window.state_mut().run(FileCommand::Save);
         window.run_steps(4);
         wait_until(window, "the file", |studio| !studio.is_saving() && !studio.editor().is_changed());
         let saved = catoptric_scene::load(window.state().editor().path().unwrap()).unwrap().scene;
         assert_eq!(saved, *scene(window));
         saved.environment.surroundings.picture().map(|image| image.path().to_owned())
     };
-    window.state_mut().run(catoptric_studio::Command::SaveAs);
+    window.state_mut().run(FileCommand::SaveAs);
     window.run_steps(4);
     wait_until(&mut window, "the answer of the disk", |studio| !studio.is_saving());
     window.run_steps(2);
@@ -168,8 +169,8 @@ fn a_picture_is_not_given_to_another_document_than_it_was_asked_for() {
     host.answer(Some(host.path("a.exr")));
     let mut window = studio_with(host.clone(), StartDocument::Example("four-bodies".to_owned()));
     let usage = catoptric_studio::ImageUse::Surroundings;
-    window.state_mut().run(catoptric_studio::Command::ChooseImage(usage));
-    window.state_mut().run(catoptric_studio::Command::New);
+    window.state_mut().run(PictureCommand::Choose(usage));
+    window.state_mut().run(FileCommand::New);
     window.run_steps(4);
     assert_eq!(host.questions.lock().unwrap().len(), 1);
     assert!(scene(&window).images().next().is_none() && !window.state().editor().is_changed());

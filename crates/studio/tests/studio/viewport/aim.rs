@@ -1,6 +1,7 @@
 //! Lights that are moved by their highlights and shadows.
 
 use super::*;
+use catoptric_studio::ToolCommand;
 
 /// How far the shadow is dragged.
 const STEP: DVec3 = DVec3::new(0.4, 0.0, 0.3);
@@ -35,7 +36,7 @@ impl Hand {
 #[test]
 fn the_highlight_follows_the_pointer() {
     let mut hand = Hand::new();
-    hand.run(Command::AimLight);
+    hand.run(ToolCommand::AimLight);
     let before = hand.scene().clone();
     let center = position(&before, SPHERE);
     let [from, to] =
@@ -57,7 +58,7 @@ fn the_highlight_follows_the_pointer() {
 #[test]
 fn a_shadow_is_dragged_by_the_point_that_casts_it() {
     let mut hand = Hand::new();
-    hand.run(Command::AimLight);
+    hand.run(ToolCommand::AimLight);
     let before = hand.scene().clone();
     let light = hand.light();
     let ground = |through: DVec3| light + (through - light) * (light.y / (light.y - through.y));
@@ -94,7 +95,7 @@ fn a_shadow_is_dragged_by_the_point_that_casts_it() {
 #[test]
 fn tools_end_the_aiming_and_escape_takes_a_drag_back() {
     let mut hand = Hand::new();
-    hand.run(Command::AimLight);
+    hand.run(ToolCommand::AimLight);
     let before = hand.scene().clone();
     let at = hand.place(position(&before, SPHERE));
     hand.press(at);
@@ -102,7 +103,7 @@ fn tools_end_the_aiming_and_escape_takes_a_drag_back() {
     hand.tap(Key::Escape);
     hand.release();
     assert_same(hand.scene(), &before);
-    hand.run(Command::Tool(catoptric_studio::Tool::Move));
+    hand.run(ToolCommand::Take(catoptric_studio::Tool::Move));
     hand.drag(at, at + Vec2::new(60.0, 0.0));
     assert_only_moved(&before, &hand.scene().clone(), &[SPHERE]);
 }

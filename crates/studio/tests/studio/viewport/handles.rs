@@ -1,6 +1,6 @@
 //! The gizmo, and the handles of lights and of the camera.
 
-use catoptric_studio::Tool;
+use catoptric_studio::{CameraCommand, DisplayCommand, Tool, ToolCommand};
 
 use super::*;
 
@@ -44,7 +44,7 @@ fn an_arrow_moves_along_its_axis_alone() {
 fn a_local_arrow_moves_along_the_bodys_own_axis() {
     let mut hand = Hand::new();
     hand.select(&[Item::Body(CUBE)]);
-    hand.run(Command::ToggleGizmoSpace);
+    hand.run(ToolCommand::ToggleGizmoSpace);
     let before = hand.scene().clone();
     let start = position(&before, CUBE);
     let own = before.bodies[CUBE].placement.world_from_body().matrix3.x_axis.normalize();
@@ -60,9 +60,9 @@ fn a_local_arrow_moves_along_the_bodys_own_axis() {
 fn a_ring_turns_about_its_axis() {
     let mut hand = Hand::new();
     hand.select(&[Item::Body(CONE)]);
-    hand.run(Command::Tool(Tool::Rotate));
+    hand.run(ToolCommand::Take(Tool::Rotate));
     // From above, the ring about Y is a circle.
-    hand.run(Command::LookAlong(catoptric_editor::navigate::ViewSide::Top));
+    hand.run(CameraCommand::LookAlong(catoptric_editor::navigate::ViewSide::Top));
     let before = hand.scene().clone();
     let pivot = position(&before, CONE);
     let radius = RING * hand.meters_per_point(pivot);
@@ -86,8 +86,8 @@ fn a_ring_turns_about_its_axis() {
 fn several_bodies_turn_about_their_middle() {
     let mut hand = Hand::new();
     hand.select(&[Item::Body(SPHERE), Item::Body(CYLINDER)]);
-    hand.run(Command::Tool(Tool::Rotate));
-    hand.run(Command::LookAlong(catoptric_editor::navigate::ViewSide::Top));
+    hand.run(ToolCommand::Take(Tool::Rotate));
+    hand.run(CameraCommand::LookAlong(catoptric_editor::navigate::ViewSide::Top));
     let before = hand.scene().clone();
     let places = [SPHERE, CYLINDER].map(|body| position(&before, body));
     let pivot = 0.5 * (places[0] + places[1]);
@@ -115,8 +115,8 @@ fn several_bodies_turn_about_their_middle() {
 fn a_cube_scales_along_its_axis() {
     let mut hand = Hand::new();
     hand.select(&[Item::Body(CUBE)]);
-    hand.run(Command::Tool(Tool::Scale));
-    hand.run(Command::ToggleGizmoSpace);
+    hand.run(ToolCommand::Take(Tool::Scale));
+    hand.run(ToolCommand::ToggleGizmoSpace);
     let before = hand.scene().clone();
     let pivot = position(&before, CUBE);
     let length = ARROW * hand.meters_per_point(pivot);
@@ -127,7 +127,7 @@ fn a_cube_scales_along_its_axis() {
     assert_only_moved(&before, &hand.scene().clone(), &[CUBE]);
     hand.undo();
     // Along the world's X it is scaled in both of its level directions.
-    hand.run(Command::ToggleGizmoSpace);
+    hand.run(ToolCommand::ToggleGizmoSpace);
     hand.hold(Modifiers::COMMAND);
     hand.pull(pivot, DVec3::X, 0.5 * length);
     let scale = hand.scene().bodies[CUBE].placement.scale;
@@ -157,7 +157,7 @@ fn escape_abandons_a_pull() {
 #[test]
 fn a_light_is_chosen_and_dragged_by_its_handle() {
     let mut hand = Hand::new();
-    hand.run(Command::FrameAll);
+    hand.run(CameraCommand::FrameAll);
     // From afar, so that the lights are in the picture.
     for _ in 0..3 {
         hand.tap(Key::PageDown);
@@ -188,7 +188,7 @@ fn a_light_is_chosen_and_dragged_by_its_handle() {
 #[test]
 fn the_scenes_camera_is_a_thing_in_the_free_view() {
     let mut hand = Hand::new();
-    hand.run(Command::ToggleFreeView);
+    hand.run(CameraCommand::ToggleFreeView);
     for _ in 0..24 {
         hand.tap(Key::PageDown);
     }
@@ -214,7 +214,7 @@ fn the_scenes_camera_is_a_thing_in_the_free_view() {
 fn without_handles_nothing_but_bodies_is_taken() {
     let mut hand = Hand::new();
     hand.select(&[Item::Body(SPHERE)]);
-    hand.run(Command::ToggleHandles);
+    hand.run(DisplayCommand::ToggleHandles);
     let before = hand.scene().clone();
     let pivot = position(&before, SPHERE);
     let far = hand.place(pivot + 2.6 * DVec3::Y);

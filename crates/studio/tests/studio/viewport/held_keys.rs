@@ -1,6 +1,7 @@
 //! Keys that are held, and releases that come otherwise or never.
 
 use catoptric_editor::navigate::CameraRange;
+use catoptric_studio::{CameraCommand, FileCommand, SelectionCommand, WindowCommand};
 
 use super::looking::distance;
 use super::*;
@@ -63,7 +64,7 @@ fn a_shortcut_with_plus_enlarges_the_window_and_moves_no_camera() {
 fn a_shortcut_whose_release_has_another_name_works_every_time() {
     let mut hand = Hand::new();
     for _ in 0..2 {
-        hand.run(Command::ToggleFreeView);
+        hand.run(CameraCommand::ToggleFreeView);
         let before = hand.harness.state().view_camera();
         // Russian: `?` on Shift+7, which looks from below.
         hand.hold(Modifiers::SHIFT);
@@ -72,7 +73,7 @@ fn a_shortcut_whose_release_has_another_name_works_every_time() {
         stroke(&mut hand, Key::Num7, Key::Num7, false);
         hand.settle();
         assert_ne!(hand.harness.state().view_camera(), before);
-        hand.run(Command::ToggleFreeView);
+        hand.run(CameraCommand::ToggleFreeView);
     }
 }
 
@@ -85,7 +86,7 @@ fn losing_the_focus_lets_all_keys_go() {
     hand.event(Event::WindowFocused(true));
     assert_still(&mut hand);
     // In a flight, too.
-    hand.run(Command::ToggleFly);
+    hand.run(CameraCommand::ToggleFly);
     down(&mut hand, Key::W);
     hand.harness.run_steps(2);
     hand.event(Event::WindowFocused(false));
@@ -109,7 +110,7 @@ fn typed_keys_and_those_of_dialogs_steer_nothing() {
     let mut hand = Hand::new();
     hand.select(&[Item::Body(SPHERE)]);
     let before = hand.scene().camera;
-    hand.run(Command::Rename);
+    hand.run(SelectionCommand::Rename);
     stroke(&mut hand, Key::Plus, Key::Equals, true);
     hand.event(Event::Text("+".to_owned()));
     hand.harness.run_steps(3);
@@ -123,7 +124,7 @@ fn typed_keys_and_those_of_dialogs_steer_nothing() {
     hand.event(Event::WindowFocused(true));
     // A dialog takes over a key that is held.
     down(&mut hand, Key::ArrowRight);
-    hand.run(Command::Palette);
+    hand.run(WindowCommand::Palette);
     assert_still(&mut hand);
     hand.tap(Key::Escape);
     assert_still(&mut hand);
@@ -133,7 +134,7 @@ fn typed_keys_and_those_of_dialogs_steer_nothing() {
 fn another_document_lets_all_keys_go() {
     let mut hand = Hand::new();
     down(&mut hand, Key::PageUp);
-    hand.harness.state_mut().run(Command::OpenExample("whitted"));
+    hand.harness.state_mut().run(FileCommand::OpenExample("whitted"));
     hand.harness.run_steps(3);
     assert_eq!(hand.harness.state().editor().title(), "whitted");
     assert_still(&mut hand);

@@ -2,6 +2,7 @@
 
 use catoptric_editor::navigate::ViewSide;
 use catoptric_scene::{Camera, Projection};
+use catoptric_studio::{CameraCommand, WindowCommand};
 
 use super::*;
 
@@ -125,7 +126,7 @@ fn keys_turn_shift_and_come_closer() {
 fn the_free_view_leaves_the_scene_alone() {
     let mut hand = Hand::new();
     let before = hand.scene().clone();
-    hand.run(Command::ToggleFreeView);
+    hand.run(CameraCommand::ToggleFreeView);
     let from = empty(&hand);
     hand.drag(from, from + Vec2::new(120.0, 30.0));
     hand.go(from);
@@ -148,7 +149,7 @@ fn the_free_view_leaves_the_scene_alone() {
 #[test]
 fn escape_brings_the_free_view_back() {
     let mut hand = Hand::new();
-    hand.run(Command::ToggleFreeView);
+    hand.run(CameraCommand::ToggleFreeView);
     let before = hand.harness.state().live().latest().unwrap().camera;
     let from = empty(&hand);
     hand.press(from);
@@ -164,7 +165,7 @@ fn a_flight_is_one_step_and_ends_with_escape() {
     let mut hand = Hand::new();
     let before = hand.scene().camera;
     hand.go(empty(&hand));
-    hand.run(Command::ToggleFly);
+    hand.run(CameraCommand::ToggleFly);
     hand.harness.key_down(Key::W);
     hand.harness.run_steps(20);
     hand.go(hand.pos + Vec2::new(40.0, 0.0));
@@ -188,8 +189,8 @@ fn a_flight_is_one_step_and_ends_with_escape() {
 fn a_flight_ends_where_a_dialog_begins() {
     let mut hand = Hand::new();
     hand.go(empty(&hand));
-    hand.run(Command::ToggleFly);
-    hand.run(Command::Palette);
+    hand.run(CameraCommand::ToggleFly);
+    hand.run(WindowCommand::Palette);
     hand.rest();
     let before = hand.scene().camera;
     hand.harness.key_down(Key::W);
@@ -204,17 +205,17 @@ fn framing_and_looking_along_an_axis_arrive() {
     let mut hand = Hand::new();
     hand.select(&[Item::Body(CONE)]);
     let before = hand.scene().clone();
-    hand.run(Command::FrameSelection);
+    hand.run(CameraCommand::FrameSelection);
     let camera = hand.scene().camera;
     assert!(camera.target.distance(position(hand.scene(), CONE)) < 0.7);
     assert_at(&hand.harness.state().live().latest().unwrap().camera, &camera);
     assert_eq!(hand.steps(), 1);
-    hand.run(Command::ToggleProjection);
+    hand.run(CameraCommand::ToggleProjection);
     assert!(matches!(hand.scene().camera.projection, Projection::Parallel { .. }));
     hand.undo();
     hand.undo();
     assert_same(hand.scene(), &before);
-    hand.run(Command::LookAlong(ViewSide::Top));
+    hand.run(CameraCommand::LookAlong(ViewSide::Top));
     assert_same(hand.scene(), &before);
     let seen = hand.harness.state().live().latest().unwrap().camera;
     assert_eq!((seen.position.x, seen.position.z), (seen.target.x, seen.target.z));

@@ -2,7 +2,7 @@
 
 use catoptric_editor::bounds;
 use catoptric_scene::{Body, Placement, Shape, ShapeKind};
-use catoptric_studio::StartDocument;
+use catoptric_studio::{AddCommand, StartDocument};
 
 use super::*;
 use crate::kit::{TestHost, studio_with};
@@ -79,10 +79,10 @@ fn four_bodies_and_a_light_are_seen_in_every_kind_of_scene() {
     for name in ["four-bodies", "whitted", "sky-room", "mirror-box", "prism", "still-life", "wada-basins"] {
         let mut hand = Hand::example(name);
         for shape in SHAPES {
-            hand.run(Command::AddBody(shape));
+            hand.run(AddCommand::Body(shape));
             hand.assert_added_well(&format!("{name}, {shape:?}"));
         }
-        hand.run(Command::AddLight);
+        hand.run(AddCommand::Light);
         let light = hand.scene().lights.last().unwrap().position;
         assert!(hand.seen(light).is_some(), "{name}: the light at {light} is out of view");
         hand.undo();
@@ -107,7 +107,7 @@ fn sizes_suit_scenes_of_any_scale() {
         hand.harness.run_steps(3);
         hand.settle();
         for shape in SHAPES {
-            hand.run(Command::AddBody(shape));
+            hand.run(AddCommand::Body(shape));
             hand.assert_added_well(&format!("{scale}, {shape:?}"));
             let size = bounds::of_body(hand.scene().bodies.last().unwrap()).unwrap().size().max_element();
             assert!(size > 0.2 * scale && size < 3.0 * scale, "{scale}, {shape:?}: {size}");
@@ -129,7 +129,7 @@ fn a_body_stands_on_the_top_that_the_middle_shows() {
     *editor = catoptric_editor::Editor::new(scene);
     hand.harness.run_steps(3);
     hand.settle();
-    hand.run(Command::AddBody(ShapeKind::Sphere));
+    hand.run(AddCommand::Body(ShapeKind::Sphere));
     let bounds = bounds::of_body(&hand.scene().bodies[1]).unwrap();
     assert!((bounds.min.y - 0.85).abs() < 1e-9, "{bounds:?}");
 }
@@ -137,7 +137,7 @@ fn a_body_stands_on_the_top_that_the_middle_shows() {
 #[test]
 fn a_second_plane_is_a_wall_in_view() {
     let mut hand = Hand::new();
-    hand.run(Command::AddBody(ShapeKind::Plane));
+    hand.run(AddCommand::Body(ShapeKind::Plane));
     let scene = hand.scene();
     let wall = scene.bodies.last().unwrap();
     let frame = wall.placement.world_from_body();

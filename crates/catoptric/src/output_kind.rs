@@ -1,0 +1,32 @@
+//! The kinds of files that can be written.
+
+use std::path::Path;
+
+use catoptric_picture::PictureFormat;
+
+/// The kind of an output file, known by its extension.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum OutputKind {
+    Picture(PictureFormat),
+    Scene,
+}
+
+impl OutputKind {
+    /// The kind that an extension or `--format` names.
+    pub(crate) fn named(name: &str) -> Option<Self> {
+        if name.eq_ignore_ascii_case("toml") {
+            return Some(Self::Scene);
+        }
+        PictureFormat::of_extension(name).map(Self::Picture)
+    }
+
+    /// The kind of the file at `path`, if its extension is known.
+    pub(crate) fn of(path: &Path) -> Option<Self> {
+        Self::named(path.extension()?.to_str()?)
+    }
+}
+
+/// The formats of pictures that can be written, as `--format` names them.
+pub(crate) fn format_names() -> String {
+    PictureFormat::all_extensions(true).collect::<Vec<_>>().join(", ")
+}

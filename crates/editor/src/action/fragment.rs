@@ -1,0 +1,175 @@
+//! Parts of a scene as text: what a clipboard carries.
+
+use std::collections::{HashMap, HashSet};
+use std::path::Path;
+
+use catoptric_scene::{
+    HasImages as _, ImageSource, List, MaterialChoice, Scene, Shape, read, write_fragment,
+};
+use glam::DVec3;
+
+use super::{ActionError, ActionOutcome, subject};
+use crate::bounds;
+use crate::document::mover;
+use crate::names::{UsedNames, base, used_materials};
+use crate::selection::{Item, Selection};
+
+/// How far copies are moved aside that are only lights or planes, meters.
+const ASIDE: f64 = 0.5;
+
+/// The most places that are tried for copies before they are left where something else stands.
+const MOST_STEPS: u32 = 1000;
+
+/// The selected bodies and lights, and the materials they name or that are selected, as a scene file's text. Paths of
+/// pictures become whole where there is a `folder` at which they begin.
+pub(crate) fn copy(scene: &Scene, selection: &Selection, folder: Option<&Path>) -> Option<String> {
+    let chosen: HashSet<Item> = selection.iter().collect();
+    let of = |kind: fn(usize) -> Item| {
+        let chosen = &chosen;
+        move |index: &usize| chosen.contains(&kind(*index))
+    };
+    let bodies: List<_> = (0..scene.bodies.len())
+        .filter(of(Item::Body))
+        .filter_map(|index| scene.bodies.get(index).cloned())
+        .collect();
+    let lights: Vec<_> = (0..scene.lights.len())
+        .filter(of(Item::Light))
+        .filter_map(|index| scene.lights.get(index).cloned())
+        .collect();
+    let used = used_materials(&bodies);
+    let materials = scene.materials.iter().enumerate();
+    let materials: Vec<_> = materials
+        .filter(|(index, named)| {
+            chosen.contains(&Item::Material(*index)) || used.contains(named.name.as_str())
+        })
+        .map(|(_, named)| named.clone())
+        .collect();
+    if bodies.is_empty() && lights.is_empty() && materials.is_empty() {
+        return None;
+    }
+    let mut copied = Scene { materials, lights, bodies, ..Scene::default() };
+    if folder.is_some() {
+        copied.edit_images(&mut mover(folder, None));
+    }
+    Some(write_fragment(&copied))
+}
+
+/// Adds what a scene file's text says to a scene whose paths of pictures begin at `folder`.
+pub(crate) fn paste(scene: &Scene, text: &str, folder: Option<&Path>) -> Result<ActionOutcome, ActionError> {
+    if text.trim().is_empty() {
+        return Err(ActionError::NothingToPaste);
+    }
+    let mut pasted = read(text).into_result().map_err(ActionError::BadText)?.value;
+    let mut rename = mover(folder, folder);
+    pasted.edit_images(&mut |image| {
+        let known = |source: &ImageSource| scene.images().find(|known| known.source() == source);
+        let mut found = known(image.source());
+        if found.is_none() && folder.is_some() {
+            // A whole path, as copies have it, becomes what the document would call it.
+            rename(image);
+            found = known(image.source());
+        }
+        // Else materials with the same picture would not be found to be the same.
+        if let Some(found) = found {
+            image.clone_from(found);
+        }
+    });
+    let mut names = UsedNames::of_materials(scene);
+    let mut renamed: HashMap<String, String> = HashMap::new();
+    let mut added = Vec::new();
+    for mut named in std::mem::take(&mut pasted.materials) {
+        // Pasting the same again finds what the first time added under another name.
+        let same = scene.materials.iter().filter(|other| other.material == named.material);
+        let same = same.min_by_key(|other| other.name != named.name);
+        let same =
+            same.filter(|other| other.name == named.name || is_copy_name(&other.name, &named.name, scene));
+        let name = match same {
+            Some(same) => same.name.clone(),
+            None => names.take(&named.name),
+        };
+        let is_new = same.is_none();
+        renamed.insert(std::mem::replace(&mut named.name, name.clone()), name);
+        if is_new {
+            added.push(named);
+        }
+    }
+    for body in &mut pasted.bodies {
+        if let Some(to) = body.material.name().and_then(|name| renamed.get(name)) {
+            body.material = MaterialChoice::Named(to.clone());
+        }
+    }
+    pasted.materials = added;
+    if pasted.bodies.is_empty() && pasted.lights.is_empty() && pasted.materials.is_empty() {
+        return Err(ActionError::NothingToPaste);
+    }
+    Ok(add(scene, pasted))
+}
+
+/// Whether `other` is what a material `name` was called when it was pasted beside another of its name.
+fn is_copy_name(other: &str, name: &str, scene: &Scene) -> bool {
+    base(other) == base(name) && scene.materials.iter().any(|named| named.name == name)
+}
+
+/// Adds bodies, lights and materials at the end of a scene's lists and selects them. The materials' names are taken to
+/// be free; the other names are made so. What would stand exactly where something else does is moved a little.
+pub(crate) fn add(scene: &Scene, mut parts: Scene) -> ActionOutcome {
+    let mut names = UsedNames::of(scene.bodies.iter().map(|body| body.name.as_str()));
+    for body in &mut parts.bodies {
+        body.name = names.take(&body.name);
+        body.locked = false;
+    }
+    let mut names = UsedNames::of(scene.lights.iter().map(|light| light.name.as_str()));
+    for light in &mut parts.lights {
+        light.name = names.take(&light.name);
+        light.locked = false;
+    }
+    move_aside(scene, &mut parts);
+    let bodies = (scene.bodies.len()..).take(parts.bodies.len()).map(Item::Body);
+    let lights = (scene.lights.len()..).take(parts.lights.len()).map(Item::Light);
+    let mut selection: Selection = lights.chain(bodies).collect();
+    if selection.is_empty() {
+        selection = (scene.materials.len()..).take(parts.materials.len()).map(Item::Material).collect();
+    }
+    let mut scene = scene.clone();
+    scene.materials.append(&mut parts.materials);
+    scene.lights.append(&mut parts.lights);
+    scene.bodies.extend(parts.bodies);
+    let items: Vec<Item> = selection.iter().collect();
+    let subject = subject(&scene, &items);
+    ActionOutcome { scene, selection, subject }
+}
+
+/// A place as something that can be looked up.
+fn key(place: DVec3) -> [u64; 3] {
+    // −0 and 0 are one place.
+    place.to_array().map(|number| (number + 0.0).to_bits())
+}
+
+/// Moves the parts together, by as many small steps as it takes, until none stands exactly where something of the
+/// scene does.
+fn move_aside(scene: &Scene, parts: &mut Scene) {
+    let bodies: HashSet<[u64; 3]> = scene.bodies.iter().map(|body| key(body.placement.origin())).collect();
+    let lights: HashSet<[u64; 3]> = scene.lights.iter().map(|light| key(light.position)).collect();
+    let are_planes = parts.bodies.iter().all(|body| body.shape == Shape::Plane);
+    let all: Selection = (0..parts.bodies.len()).map(Item::Body).collect();
+    let step = match bounds::ball_of_selection(parts, &all) {
+        Some(ball) => DVec3::new(0.5 * ball.radius, 0.0, 0.5 * ball.radius),
+        // A plane that is moved along itself stays where it is.
+        None if are_planes && !parts.bodies.is_empty() => DVec3::Y * ASIDE,
+        None => DVec3::new(ASIDE, 0.0, ASIDE),
+    };
+    let is_free = |offset: &DVec3| {
+        !parts.bodies.iter().any(|body| bodies.contains(&key(body.placement.origin() + *offset)))
+            && !parts.lights.iter().any(|light| lights.contains(&key(light.position + *offset)))
+    };
+    let Some(offset) = (0..MOST_STEPS).map(|count| f64::from(count) * step).find(is_free) else { return };
+    if offset == DVec3::ZERO {
+        return;
+    }
+    for body in &mut parts.bodies {
+        body.placement = body.placement.moved_by(offset);
+    }
+    for light in &mut parts.lights {
+        light.position += offset;
+    }
+}

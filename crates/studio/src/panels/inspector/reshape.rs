@@ -1,0 +1,188 @@
+//! Changes of a body's shape or anchor without a jump: sizes and the middle are kept.
+
+use catoptric_scene::{Anchor, Body, Shape, ShapeKind};
+use glam::{DVec3, EulerRot};
+
+use crate::base::widgets::number::tidy;
+
+/// Gives a body another shape. Radius and height are carried over where both shapes have them, and stand for each
+/// other where not; the middle of the body stays, and a plane lies where the lowest part of the body was.
+pub(super) fn reshape(body: &mut Body, kind: ShapeKind) {
+    if body.shape.kind() == kind {
+        return;
+    }
+    to_frame(body);
+    let old = body.shape;
+    let (radius, height) = radius_and_height(&old);
+    let new = match kind {
+        ShapeKind::Sphere => Shape::Sphere { radius },
+        ShapeKind::Cube => Shape::Cube { size: DVec3::new(2.0 * radius, height, 2.0 * radius) },
+        ShapeKind::Cylinder => Shape::Cylinder { radius, height },
+        ShapeKind::Cone => Shape::Cone { radius, top_radius: 0.0, height },
+        ShapeKind::Plane => Shape::Plane,
+    };
+    body.shape = new;
+    let rise = match (old, new) {
+        // What replaces a plane stands on it, and a plane lies under what it replaces.
+        (Shape::Plane, new) => -bottom(&new),
+        (old, Shape::Plane) => bottom(&old),
+        (old, new) => middle(&old) - middle(&new),
+    };
+    let up = body.placement.world_from_body().matrix3 * (rise * DVec3::Y);
+    if let Anchor::Frame { position, .. } = &mut body.placement.anchor {
+        *position = (*position + up).map(tidy);
+    }
+}
+
+fn radius_and_height(shape: &Shape) -> (f64, f64) {
+    match *shape {
+        Shape::Sphere { radius } => (radius, 2.0 * radius),
+        Shape::Cube { size } => (0.5 * size.x, size.y),
+        Shape::Cylinder { radius, height } => (radius, height),
+        Shape::Cone { radius, top_radius, height } => (radius.max(top_radius), height),
+        Shape::Plane => (0.5, 1.0),
+    }
+}
+
+/// The height of the lowest point in the body's own frame.
+fn bottom(shape: &Shape) -> f64 {
+    match *shape {
+        Shape::Sphere { radius } => -radius,
+        Shape::Cube { size } => -0.5 * size.y,
+        Shape::Cylinder { .. } | Shape::Cone { .. } => 0.0,
+        Shape::Plane => 0.0,
+    }
+}
+
+/// The height of the middle in the body's own frame.
+fn middle(shape: &Shape) -> f64 {
+    match *shape {
+        Shape::Cylinder { height, .. } | Shape::Cone { height, .. } => 0.5 * height,
+        Shape::Sphere { .. } | Shape::Cube { .. } | Shape::Plane => 0.0,
+    }
+}
+
+/// Sets the height of a cylinder or cone; one that is placed by two points keeps its base and direction.
+pub(super) fn set_height(body: &mut Body, value: f64) {
+    let (Shape::Cylinder { height, .. } | Shape::Cone { height, .. }) = &mut body.shape else { return };
+    *height = value;
+    if let Anchor::Axis { base, top } = &mut body.placement.anchor {
+        let direction = (*top - *base).try_normalize().unwrap_or(DVec3::Y);
+        *top = (*base + value * direction).map(tidy);
+    }
+}
+
+/// Places a body by position and rotation instead of two points; it stays where it is.
+pub(super) fn to_frame(body: &mut Body) {
+    let Anchor::Axis { base, .. } = body.placement.anchor else { return };
+    if let Some(own) = body.height() {
+        let (Shape::Cylinder { height, .. } | Shape::Cone { height, .. }) = &mut body.shape else { return };
+        *height = tidy(own);
+    }
+    let turn = body.placement.rotation();
+    // R = Rz · Ry · Rx, as the model has it.
+    let (z, y, x) = turn.to_euler(EulerRot::ZYX);
+    let rotation_degrees = DVec3::new(x, y, z).map(|angle| round_angle(angle.to_degrees()));
+    body.placement.anchor = Anchor::Frame { position: base, rotation_degrees };
+}
+
+/// Places the body by the ends of its axis. `None` where that would turn a body that is not round about the axis: two
+/// points cannot express such a turn.
+pub(super) fn to_axis(body: &Body) -> Option<Body> {
+    let Anchor::Frame { position: base, .. } = body.placement.anchor else { return Some(body.clone()) };
+    let height = body.height()?;
+    let turn = body.placement.rotation();
+    let mut placed = body.clone();
+    placed.placement.anchor = Anchor::Axis { base, top: (base + turn * (height * DVec3::Y)).map(tidy) };
+    let scale = body.placement.scale;
+    let is_round = scale.x == scale.z;
+    (is_round || placed.placement.rotation().abs_diff_eq(turn, 1e-9)).then_some(placed)
+}
+
+/// An angle without the noise of its computation.
+fn round_angle(degrees: f64) -> f64 {
+    let near = (degrees * 1e9).round() / 1e9;
+    if near == 0.0 { 0.0 } else { near }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use catoptric_scene::Placement;
+
+    fn cone(anchor: Anchor) -> Body {
+        Body {
+            shape: Shape::Cone { radius: 0.5, top_radius: 0.1, height: 2.0 },
+            placement: Placement { anchor, scale: DVec3::new(1.5, 2.0, 1.5) },
+            ..Body::default()
+        }
+    }
+
+    /// Points of the surface in the world, seen without what a turn about the axis does.
+    fn axis_ends(body: &Body) -> [DVec3; 2] {
+        let height = body.height().unwrap();
+        [0.0, height].map(|y| body.placement.world_from_body().transform_point3(y * DVec3::Y))
+    }
+
+    #[test]
+    fn either_way_of_placing_leaves_the_body_where_it_is() {
+        for rotation in [DVec3::ZERO, DVec3::new(30.0, 40.0, -170.0), DVec3::X * 180.0, DVec3::Z * 90.0] {
+            let frame = Anchor::Frame { position: DVec3::new(1.0, -2.0, 3.0), rotation_degrees: rotation };
+            let before = cone(frame);
+            let placed = to_axis(&before).unwrap();
+            assert!(matches!(placed.placement.anchor, Anchor::Axis { .. }));
+            let mut back = placed.clone();
+            to_frame(&mut back);
+            for other in [&placed, &back] {
+                for (a, b) in axis_ends(&before).into_iter().zip(axis_ends(other)) {
+                    assert!(a.abs_diff_eq(b, 1e-8), "{rotation}: {a} {b}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_body_that_is_not_round_is_not_turned_about_its_axis() {
+        let turned = Anchor::Frame { position: DVec3::ZERO, rotation_degrees: DVec3::new(0.0, 30.0, 0.0) };
+        let mut body = cone(turned);
+        body.placement.scale.z = 1.0;
+        assert_eq!(to_axis(&body), None);
+        body.placement.anchor = Anchor::Frame { position: DVec3::ZERO, rotation_degrees: DVec3::ZERO };
+        assert!(to_axis(&body).is_some());
+    }
+
+    #[test]
+    fn another_shape_keeps_sizes_and_the_middle() {
+        let mut body = Body {
+            shape: Shape::Sphere { radius: 0.75 },
+            placement: Placement::at(DVec3::new(1.0, 0.75, 2.0)),
+            ..Body::default()
+        };
+        reshape(&mut body, ShapeKind::Cylinder);
+        assert_eq!(body.shape, Shape::Cylinder { radius: 0.75, height: 1.5 });
+        assert_eq!(body.placement, Placement::at(DVec3::new(1.0, 0.0, 2.0)));
+        reshape(&mut body, ShapeKind::Cone);
+        assert_eq!(body.shape, Shape::Cone { radius: 0.75, top_radius: 0.0, height: 1.5 });
+        reshape(&mut body, ShapeKind::Cube);
+        assert_eq!(body.shape, Shape::Cube { size: DVec3::splat(1.5) });
+        assert_eq!(body.placement, Placement::at(DVec3::new(1.0, 0.75, 2.0)));
+        reshape(&mut body, ShapeKind::Plane);
+        assert_eq!(body.placement, Placement::at(DVec3::new(1.0, 0.0, 2.0)));
+        reshape(&mut body, ShapeKind::Sphere);
+        assert_eq!(body.shape, Shape::Sphere { radius: 0.5 });
+        assert_eq!(body.placement, Placement::at(DVec3::new(1.0, 0.5, 2.0)));
+    }
+
+    #[test]
+    fn every_shape_can_become_every_other() {
+        for from in ShapeKind::ALL {
+            for to in ShapeKind::ALL {
+                let mut body = Body { shape: from.shape(), ..Body::default() };
+                reshape(&mut body, to);
+                assert_eq!(body.shape.kind(), to);
+                let scene = catoptric_scene::Scene { bodies: [body].into(), ..Default::default() };
+                assert_eq!(scene.check(), []);
+            }
+        }
+    }
+}

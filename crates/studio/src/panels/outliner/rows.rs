@@ -1,0 +1,201 @@
+//! The rows of the tree, as a flat list: only the visible ones are drawn.
+
+use catoptric_editor::{Editor, Item, Selection};
+use catoptric_scene::Scene;
+
+use super::item_name;
+use crate::base::texts::{Language, Texts};
+
+/// A part of the tree that can be folded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum OutlinerSection {
+    Lights,
+    Bodies,
+    Materials,
+}
+
+impl OutlinerSection {
+    const ALL: [Self; 3] = [Self::Lights, Self::Bodies, Self::Materials];
+
+    /// The message that names it.
+    pub(super) const fn key(self) -> &'static str {
+        match self {
+            Self::Lights => "outliner-lights",
+            Self::Bodies => "outliner-bodies",
+            Self::Materials => "outliner-materials",
+        }
+    }
+
+    /// The section in which a thing stands.
+    pub(super) const fn of(item: Item) -> Option<Self> {
+        match item {
+            Item::Light(_) => Some(Self::Lights),
+            Item::Body(_) => Some(Self::Bodies),
+            Item::Material(_) => Some(Self::Materials),
+            Item::Camera | Item::Environment | Item::Tracing => None,
+        }
+    }
+
+    fn items(self, scene: &Scene) -> Box<dyn Iterator<Item = Item>> {
+        match self {
+            Self::Lights => Box::new((0..scene.lights.len()).map(Item::Light)),
+            Self::Bodies => Box::new((0..scene.bodies.len()).map(Item::Body)),
+            Self::Materials => Box::new((0..scene.materials.len()).map(Item::Material)),
+        }
+    }
+}
+
+/// A row of the tree.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum OutlinerRow {
+    /// The head of a section, with how many things are in it.
+    Head(OutlinerSection, usize),
+    /// A thing.
+    Item(Item),
+}
+
+/// The rows, rebuilt when something has changed.
+#[derive(Default)]
+pub(super) struct OutlinerRows {
+    rows: Vec<OutlinerRow>,
+    folded: Vec<OutlinerSection>,
+    /// What the rows were found for.
+    made_for: Option<(*const Scene, u64, String, Language, Vec<OutlinerSection>)>,
+}
+
+impl OutlinerRows {
+    pub(super) fn all(&self) -> &[OutlinerRow] {
+        &self.rows
+    }
+
+    pub(super) fn is_folded(&self, section: OutlinerSection) -> bool {
+        self.folded.contains(&section)
+    }
+
+    /// Folds a section, or unfolds it.
+    pub(super) fn fold(&mut self, section: OutlinerSection, folded: bool) {
+        self.folded.retain(|other| *other != section);
+        if folded {
+            self.folded.push(section);
+        }
+    }
+
+    /// Unfolds the section of a thing.
+    pub(super) fn unfold(&mut self, item: Item) {
+        if let Some(section) = OutlinerSection::of(item) {
+            self.fold(section, false);
+        }
+    }
+
+    /// Finds the rows, if anything has changed. With a filter only things whose name has it are shown, folded or not.
+    pub(super) fn update(&mut self, texts: &Texts, editor: &Editor, filter: &str) {
+        let scene = editor.scene();
+        let key = (
+            std::sync::Arc::as_ptr(scene),
+            editor.revision(),
+            filter.to_owned(),
+            texts.language(),
+            self.folded.clone(),
+        );
+        if self.made_for.as_ref() == Some(&key) {
+            return;
+        }
+        let filter = filter.trim().to_lowercase();
+        let fits = |item: &Item| {
+            filter.is_empty() || item_name(texts, scene, *item).to_lowercase().contains(&filter)
+        };
+        self.rows.clear();
+        let fixed = [Item::Camera, Item::Environment, Item::Tracing];
+        self.rows.extend(fixed.into_iter().filter(fits).map(OutlinerRow::Item));
+        for section in OutlinerSection::ALL {
+            let head = self.rows.len();
+            self.rows.push(OutlinerRow::Head(section, 0));
+            self.rows.extend(section.items(scene).filter(fits).map(OutlinerRow::Item));
+            let count = self.rows.len() - head - 1;
+            if let Some(row) = self.rows.get_mut(head) {
+                *row = OutlinerRow::Head(section, count);
+            }
+            if filter.is_empty() && self.folded.contains(&section) {
+                self.rows.truncate(head + 1);
+            }
+        }
+        self.made_for = Some(key);
+    }
+
+    /// The things in the order of their rows.
+    pub(super) fn items(&self) -> impl DoubleEndedIterator<Item = Item> {
+        self.rows.iter().filter_map(|row| if let OutlinerRow::Item(item) = row { Some(*item) } else { None })
+    }
+
+    /// The row of a thing.
+    pub(super) fn place_of(&self, item: Item) -> Option<usize> {
+        self.rows.iter().position(|row| *row == OutlinerRow::Item(item))
+    }
+
+    /// Everything from one row to another, the latter being the primary thing. What is there only once is not taken
+    /// along.
+    pub(super) fn range(&self, from: Item, to: Item) -> Selection {
+        let (Some(start), Some(end)) = (self.place_of(from), self.place_of(to)) else {
+            return Selection::one(to);
+        };
+        let (low, high) = (start.min(end), start.max(end));
+        let mut items: Vec<Item> = self
+            .rows
+            .get(low..=high)
+            .unwrap_or_default()
+            .iter()
+            .filter_map(|row| if let OutlinerRow::Item(item) = row { Some(*item) } else { None })
+            .filter(|item| *item == to || OutlinerSection::of(*item).is_some())
+            .collect();
+        if end < start {
+            items.reverse();
+        }
+        items.into_iter().collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use catoptric_scene::{Body, Light, Scene};
+
+    use super::*;
+
+    fn editor() -> Editor {
+        let named = |name: &str| Body { name: name.to_owned(), ..Body::default() };
+        let scene = Scene {
+            bodies: ["ball", "mirror ball", "floor"].map(named).into(),
+            lights: vec![Light::default()],
+            ..Scene::default()
+        };
+        Editor::new(scene)
+    }
+
+    #[test]
+    fn folding_hides_rows_and_a_filter_finds_them_again() {
+        let (texts, editor) = (Texts::new(Language::English), editor());
+        let mut rows = OutlinerRows::default();
+        rows.update(&texts, &editor, "");
+        assert_eq!(rows.all().len(), 3 + 3 + 1 + 3);
+        rows.fold(OutlinerSection::Bodies, true);
+        rows.update(&texts, &editor, "");
+        assert_eq!(rows.place_of(Item::Body(1)), None);
+        assert!(rows.all().contains(&OutlinerRow::Head(OutlinerSection::Bodies, 3)));
+        rows.update(&texts, &editor, "BALL");
+        assert_eq!(rows.items().collect::<Vec<_>>(), [Item::Body(0), Item::Body(1)]);
+        assert!(rows.all().contains(&OutlinerRow::Head(OutlinerSection::Bodies, 2)));
+        rows.unfold(Item::Body(2));
+        rows.update(&texts, &editor, "");
+        assert!(rows.place_of(Item::Body(2)).is_some());
+    }
+
+    #[test]
+    fn a_range_ends_with_the_primary_and_leaves_out_what_is_there_once() {
+        let (texts, editor) = (Texts::new(Language::English), editor());
+        let mut rows = OutlinerRows::default();
+        rows.update(&texts, &editor, "");
+        let up = rows.range(Item::Body(2), Item::Body(0));
+        assert_eq!(up.iter().collect::<Vec<_>>(), [Item::Body(2), Item::Body(1), Item::Body(0)]);
+        let across = rows.range(Item::Camera, Item::Body(0));
+        assert_eq!(across.iter().collect::<Vec<_>>(), [Item::Light(0), Item::Body(0)]);
+    }
+}

@@ -1,0 +1,29 @@
+//! The shell: the window, documents, dialogs and menus around the panels. It runs the commands.
+
+pub(crate) mod audit;
+pub(crate) mod camera;
+pub(crate) mod card;
+pub(crate) mod compare;
+pub(crate) mod disk;
+pub(crate) mod documents;
+pub(crate) mod examples;
+pub(crate) mod exports;
+pub(crate) mod failure;
+pub(crate) mod files;
+pub(crate) mod first_steps;
+pub(crate) mod frame;
+pub(crate) mod help;
+pub mod host;
+pub(crate) mod images;
+pub(crate) mod interruption;
+pub(crate) mod manual;
+pub(crate) mod measure;
+pub(crate) mod menu;
+pub(crate) mod menu_focus;
+pub(crate) mod palette;
+pub(crate) mod pictures;
+pub(crate) mod render_dialog;
+pub(crate) mod run;
+pub(crate) mod shortcuts;
+pub(crate) mod studio;
+pub(crate) mod window;

@@ -1,0 +1,245 @@
+//! Reading and writing scene files, on threads of their own.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::SystemTime;
+
+use catoptric_editor::SceneWriter;
+use catoptric_files::WriteError;
+use catoptric_scene::{Diagnostic, Diagnostics, LONGEST_TEXT, LoadError, Scene, load_partly, save};
+use fluent_bundle::FluentValue;
+
+use crate::base::texts::Texts;
+
+/// The identity, size and time of a file, which tell whether it has changed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct FileStamp {
+    modified: Option<SystemTime>,
+    length: u64,
+}
+
+impl FileStamp {
+    /// The stamp of the file at `path`, if there is one.
+    pub(super) fn of(path: &Path) -> Option<Self> {
+        let metadata = fs::metadata(path).ok()?;
+        Some(Self { modified: metadata.modified().ok(), length: metadata.len() })
+    }
+}
+
+/// A scene file that was read, at least in part.
+#[derive(Clone, Debug)]
+pub(crate) struct OpenedScene {
+    pub(crate) path: PathBuf,
+    pub(crate) text: Arc<str>,
+    pub(crate) scene: Scene,
+    pub(crate) findings: Diagnostics,
+    pub(crate) stamp: Option<FileStamp>,
+}
+
+/// The reason why a file cannot be opened.
+#[derive(Debug)]
+pub(crate) enum ReadFailure {
+    Missing,
+    Denied,
+    Folder,
+    TooLong,
+    /// Nothing in it is a scene; the first findings.
+    Nothing(Vec<Diagnostic>),
+    Other(String),
+}
+
+/// Reads the file at `path`.
+pub(crate) fn read(path: &Path) -> Result<OpenedScene, ReadFailure> {
+    // Looked at before reading: what is written meanwhile counts as a change.
+    let stamp = FileStamp::of(path);
+    let (reading, text) = load_partly(path).map_err(|error| read_failure(path, error))?;
+    if reading.diagnostics.has_errors() && reading.scene == Scene::default() {
+        return Err(ReadFailure::Nothing(reading.diagnostics.iter().take(3).cloned().collect()));
+    }
+    let (scene, findings) = (reading.scene, reading.diagnostics);
+    Ok(OpenedScene { path: path.to_owned(), text: text.into(), scene, findings, stamp })
+}
+
+fn read_failure(path: &Path, error: LoadError) -> ReadFailure {
+    let LoadError::Io { reason, source, .. } = error else { return ReadFailure::Other(error.to_string()) };
+    match source.map(|source| source.kind()) {
+        Some(io::ErrorKind::NotFound | io::ErrorKind::NotADirectory) => ReadFailure::Missing,
+        Some(io::ErrorKind::PermissionDenied) => ReadFailure::Denied,
+        Some(io::ErrorKind::IsADirectory) => ReadFailure::Folder,
+        None if path.is_dir() => ReadFailure::Folder,
+        None => ReadFailure::TooLong,
+        Some(_) => ReadFailure::Other(reason),
+    }
+}
+
+impl ReadFailure {
+    /// What is wrong and what to do.
+    pub(crate) fn in_words(&self, texts: &Texts, path: &Path) -> String {
+        let path = FluentValue::from(path.display().to_string());
+        match self {
+            Self::Missing => texts.with("read-missing", &[("path", path)]),
+            Self::Denied => texts.with("read-denied", &[("path", path)]),
+            Self::Folder => texts.with("read-folder", &[("path", path)]),
+            Self::TooLong => {
+                texts.with("read-too-long", &[("path", path), ("limit", (LONGEST_TEXT >> 20).into())])
+            }
+            Self::Nothing(found) => {
+                let language = texts.language().into();
+                let found: Vec<String> = found.iter().map(|found| found.line_of_text(language)).collect();
+                texts.with("read-nothing", &[("path", path), ("found", found.join("\n").into())])
+            }
+            Self::Other(reason) => {
+                texts.with("read-other", &[("path", path), ("reason", reason.as_str().into())])
+            }
+        }
+    }
+}
+
+/// The condition on which a file may replace another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum OverwriteRule {
+    /// In any case.
+    Replace,
+    /// If there is none.
+    Create,
+    /// If it is still the one that was read or written last.
+    Update(FileStamp),
+    /// If nobody has written it since then.
+    UpdateBefore(SystemTime),
+}
+
+impl OverwriteRule {
+    fn allows(self, path: &Path) -> bool {
+        let Some(found) = FileStamp::of(path) else { return true };
+        match self {
+            Self::Replace => true,
+            Self::Create => false,
+            Self::Update(stamp) => found == stamp,
+            Self::UpdateBefore(time) => found.modified.is_none_or(|modified| modified <= time),
+        }
+    }
+}
+
+/// A file that was written.
+#[derive(Debug)]
+pub(crate) struct SavedFile {
+    pub(crate) text: Arc<str>,
+    pub(crate) stamp: Option<FileStamp>,
+}
+
+/// The reason why a file has not been written; the old one is untouched.
+#[derive(Debug)]
+pub(crate) enum WriteFailure {
+    /// There is one already, or another one than before.
+    Other,
+    /// The file cannot be written.
+    Cannot(WriteError),
+}
+
+/// Writes a document to the file at `path`, whole or not at all.
+pub(crate) fn write(
+    writing: &SceneWriter,
+    path: &Path,
+    may: OverwriteRule,
+) -> Result<SavedFile, WriteFailure> {
+    if !may.allows(path) {
+        return Err(WriteFailure::Other);
+    }
+    let text = writing.text();
+    save(path, &text).map_err(WriteFailure::Cannot)?;
+    Ok(SavedFile { text: text.into(), stamp: FileStamp::of(path) })
+}
+
+/// What stands in the way of writing and what to do.
+pub(crate) fn write_failure_in_words(texts: &Texts, error: &WriteError) -> String {
+    let value = |path: &Path| FluentValue::from(path.display().to_string());
+    match error {
+        WriteError::NoName { path } => texts.with("write-no-name", &[("path", value(path))]),
+        WriteError::IsDirectory { path } => texts.with("write-folder", &[("path", value(path))]),
+        WriteError::NoDirectory { path, directory } => {
+            texts.with("write-no-folder", &[("path", value(path)), ("folder", value(directory))])
+        }
+        WriteError::Closed { path, directory, .. } => {
+            texts.with("write-closed", &[("path", value(path)), ("folder", value(directory))])
+        }
+        WriteError::Protected { path } => texts.with("write-protected", &[("path", value(path))]),
+        WriteError::Circle { path } => texts.with("write-circle", &[("path", value(path))]),
+        WriteError::NoDescriptor { path, .. } => texts.with("write-no-descriptor", &[("path", value(path))]),
+        WriteError::ReaderGone { path } => texts.with("write-reader-gone", &[("path", value(path))]),
+        WriteError::Io { path, source } => {
+            let key = match source.kind() {
+                io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => "write-full",
+                io::ErrorKind::PermissionDenied => "write-denied",
+                _ => "write-other",
+            };
+            texts.with(key, &[("path", value(path)), ("reason", source.to_string().into())])
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use catoptric_editor::Editor;
+
+    #[test]
+    fn a_file_changed_by_another_program_is_not_replaced() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.toml");
+        let writing = Editor::new(Scene::default()).writing();
+        let written = write(&writing, &path, OverwriteRule::Create).unwrap();
+        assert!(matches!(write(&writing, &path, OverwriteRule::Create), Err(WriteFailure::Other)));
+        let stamp = written.stamp.unwrap();
+        let again = write(&writing, &path, OverwriteRule::Update(stamp)).unwrap();
+        fs::write(&path, "format = 'catoptric/1' # mine\n").unwrap();
+        let update = OverwriteRule::Update(again.stamp.unwrap());
+        assert!(matches!(write(&writing, &path, update), Err(WriteFailure::Other)));
+        assert!(matches!(
+            write(&writing, &path, OverwriteRule::UpdateBefore(SystemTime::UNIX_EPOCH)),
+            Err(WriteFailure::Other)
+        ));
+        assert!(fs::read_to_string(&path).unwrap().ends_with("# mine\n"));
+        write(&writing, &path, OverwriteRule::Replace).unwrap();
+        assert_eq!(fs::read_to_string(&path).unwrap(), writing.text());
+    }
+
+    #[test]
+    fn every_failure_has_words_in_every_language() {
+        use crate::base::texts::Language;
+        let path = Path::new("/a/b.toml");
+        for language in Language::ALL {
+            let texts = Texts::new(language);
+            let failures = [
+                ReadFailure::Missing,
+                ReadFailure::Denied,
+                ReadFailure::Folder,
+                ReadFailure::TooLong,
+                ReadFailure::Nothing(catoptric_scene::read("fov").diagnostics.iter().cloned().collect()),
+                ReadFailure::Other("broken".to_owned()),
+            ];
+            for failure in failures {
+                assert!(failure.in_words(&texts, path).contains("/a/b.toml"), "{failure:?}");
+            }
+            let path = || path.to_owned();
+            let io = |kind: io::ErrorKind| WriteError::Io { path: path(), source: kind.into() };
+            let directory = PathBuf::from("/a");
+            let failures = [
+                WriteError::NoName { path: path() },
+                WriteError::IsDirectory { path: path() },
+                WriteError::NoDirectory { path: path(), directory: directory.clone() },
+                WriteError::Closed { path: path(), directory, source: io::ErrorKind::Other.into() },
+                WriteError::Protected { path: path() },
+                WriteError::Circle { path: path() },
+                io(io::ErrorKind::StorageFull),
+                io(io::ErrorKind::PermissionDenied),
+                io(io::ErrorKind::Other),
+            ];
+            for failure in failures {
+                assert!(write_failure_in_words(&texts, &failure).contains("/a/b.toml"), "{failure:?}");
+            }
+            assert_eq!(texts.missing(), Vec::<String>::new());
+        }
+    }
+}

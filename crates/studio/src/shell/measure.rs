@@ -1,0 +1,73 @@
+//! The measurement: its commands, and what rests meanwhile.
+
+mod export;
+
+use std::sync::Arc;
+
+use egui::Context;
+
+use crate::panels::measure::{MeasureFailure, MeasureTask};
+use crate::shell::studio::Studio;
+use crate::state::command::MeasureCommand;
+use crate::state::layout::{self, Pane};
+
+/// Does `act`.
+pub(crate) fn run(context: &Context, studio: &mut Studio, act: MeasureCommand) {
+    match act {
+        MeasureCommand::Start => start(context, studio),
+        MeasureCommand::Stop => {
+            if let Some(running) = &studio.panes.measure.running {
+                running.cancel();
+            }
+        }
+        MeasureCommand::Save => export::ask(studio),
+    }
+}
+
+fn start(context: &Context, studio: &mut Studio) {
+    if studio.panes.measure.is_running() {
+        return;
+    }
+    if !layout::is_in_front(&studio.layout, Pane::Measure) {
+        layout::set_visible(&mut studio.layout, Pane::Measure, true);
+    }
+    if studio.is_rendering() {
+        studio.panes.measure.failure = Some(MeasureFailure::Busy);
+        return;
+    }
+    let scene = studio.editor.scene();
+    let name = studio.editor.title().trim_end_matches(".toml").to_owned();
+    let measuring = &mut studio.panes.measure;
+    let started = measuring.plan(scene, name).and_then(|plan| {
+        MeasureTask::start(context, plan).map_err(|error| MeasureFailure::Fault(error.to_string()))
+    });
+    match started {
+        Ok(running) => {
+            (measuring.measured, measuring.failure) = (None, None);
+            measuring.running = Some(running);
+        }
+        Err(failure) => measuring.failure = Some(failure),
+    }
+}
+
+/// Takes up what was measured, and has everything else wait meanwhile; once a frame.
+pub(crate) fn keep_up(context: &Context, studio: &mut Studio) {
+    let measuring = &mut studio.panes.measure;
+    if let Some(running) = &measuring.running {
+        if let Some(measured) = running.measured() {
+            measuring.measured = Some(measured);
+        }
+        if let Some(result) = running.result() {
+            measuring.running = None;
+            match result {
+                Ok(measured) => measuring.measured = Some(Arc::new(measured)),
+                Err(failure) => {
+                    measuring.measured = None;
+                    measuring.failure = Some(failure);
+                }
+            }
+            context.request_repaint();
+        }
+    }
+    studio.view.is_measuring = studio.panes.measure.is_running();
+}

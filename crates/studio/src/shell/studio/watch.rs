@@ -1,0 +1,121 @@
+//! A watch over changes of the open file by other programs.
+
+use std::io::Read as _;
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{self, Receiver, Sender};
+use std::sync::{Arc, Weak};
+use std::thread::{self, Thread};
+use std::time::Duration;
+
+use egui::Context;
+
+use crate::shell::disk::FileStamp;
+
+/// How often the file is looked at; it is looked at when the window gets the focus, too.
+const INTERVAL: Duration = Duration::from_secs(2);
+
+/// The file as it was last read or written here.
+#[derive(Clone)]
+pub(crate) struct WatchedFile {
+    pub(crate) document: u64,
+    pub(crate) path: PathBuf,
+    pub(crate) stamp: FileStamp,
+    pub(crate) text: Arc<str>,
+}
+
+impl WatchedFile {
+    pub(crate) fn is_same(&self, other: &Self) -> bool {
+        (self.document, self.stamp, &self.path) == (other.document, other.stamp, &other.path)
+            && Arc::ptr_eq(&self.text, &other.text)
+    }
+}
+
+/// A change of the file by another program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum FileChange {
+    /// Another program has written the same text.
+    Touched(FileStamp),
+    /// Another program has written another text.
+    Rewritten,
+}
+
+/// A thread that looks at the file of the document again and again.
+pub(crate) struct FileWatch {
+    pub(crate) known: WatchedFile,
+    pub(crate) changes: Receiver<FileChange>,
+    pub(crate) thread: Thread,
+    /// The thread ends without it.
+    pub(crate) alive: Option<Arc<()>>,
+}
+
+impl FileWatch {
+    pub(crate) fn start(context: &Context, known: WatchedFile) -> Option<Self> {
+        let (sender, changes) = mpsc::channel();
+        let alive = Arc::new(());
+        let (watched, life, context) = (known.clone(), Arc::downgrade(&alive), context.clone());
+        // Without a thread, a change is found when the document is saved.
+        let handle = thread::Builder::new()
+            .name("file watch".to_owned())
+            .spawn(move || look(&watched, &life, &sender, &context))
+            .ok()?;
+        Some(Self { known, changes, thread: handle.thread().clone(), alive: Some(alive) })
+    }
+}
+
+impl Drop for FileWatch {
+    fn drop(&mut self) {
+        self.alive = None;
+        self.thread.unpark();
+    }
+}
+
+/// Tells each change of the file once.
+fn look(known: &WatchedFile, life: &Weak<()>, sender: &Sender<FileChange>, context: &Context) {
+    let mut last = known.stamp;
+    while life.strong_count() > 0 {
+        if let Some(found) = FileStamp::of(&known.path).filter(|found| *found != last) {
+            last = found;
+            let is_same = has_text(&known.path, &known.text);
+            let change = if is_same { FileChange::Touched(found) } else { FileChange::Rewritten };
+            if sender.send(change).is_err() {
+                return;
+            }
+            context.request_repaint();
+        }
+        thread::park_timeout(INTERVAL);
+    }
+}
+
+/// Whether the file at `path` has just this text.
+fn has_text(path: &Path, text: &str) -> bool {
+    let Ok(file) = std::fs::File::open(path) else { return false };
+    let mut read = Vec::with_capacity(text.len() + 1);
+    // A byte more than the text shows that the file is longer.
+    let limit = text.len() as u64 + 1;
+    file.take(limit).read_to_end(&mut read).is_ok() && read == text.as_bytes()
+}
+
+/// The changes of the file by other programs.
+#[derive(Default)]
+pub(crate) struct ExternalChanges {
+    pub(crate) watch: Option<FileWatch>,
+    /// Whether to offer to reload the file.
+    pub(crate) is_rewritten: bool,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_text_is_compared_as_a_whole() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.toml");
+        std::fs::write(&path, "abc").unwrap();
+        assert!(has_text(&path, "abc"));
+        for other in ["", "ab", "abd", "abcd"] {
+            assert!(!has_text(&path, other), "{other}");
+        }
+        assert!(!has_text(&folder.path().join("b.toml"), ""));
+    }
+}

@@ -1,0 +1,117 @@
+//! The graphics card that draws the picture: the one that draws the window, so that the picture stays on it.
+
+use std::sync::{Arc, Weak};
+
+use catoptric_gpu::{Gpu, GpuError, GpuPicture};
+use catoptric_live::Live;
+use catoptric_tracer::shaders::UnsupportedOnGpu;
+use eframe::egui_wgpu::RenderState;
+use egui::TextureId;
+
+use crate::base::texts::Texts;
+
+/// The graphics card of the window, if it can trace.
+#[derive(Default)]
+pub(crate) struct WindowCard {
+    window: Option<(RenderState, Arc<Gpu>)>,
+    /// Whether it is to draw.
+    is_on: bool,
+    /// The loss that was reported.
+    told: Option<GpuError>,
+    textures: Vec<WindowTexture>,
+}
+
+/// A picture that is registered as a texture of the window.
+struct WindowTexture {
+    picture: Weak<GpuPicture>,
+    filter: wgpu::FilterMode,
+    id: TextureId,
+}
+
+impl WindowCard {
+    /// Whether there is one that can draw.
+    pub(crate) fn is_there(&self) -> bool {
+        self.window.is_some()
+    }
+
+    /// Whether it is to draw.
+    pub(crate) fn is_on(&self) -> bool {
+        self.is_on
+    }
+
+    /// What the window knows a picture by; pictures that are gone are forgotten. `smooth` where it is stretched.
+    pub(crate) fn texture(&mut self, picture: &Arc<GpuPicture>, smooth: bool) -> Option<TextureId> {
+        let (state, gpu) = self.window.as_ref()?;
+        if !picture.is_on(gpu) {
+            // It was drawn for a window that is gone.
+            return None;
+        }
+        let filter = if smooth { wgpu::FilterMode::Linear } else { wgpu::FilterMode::Nearest };
+        let mut renderer = state.renderer.write();
+        self.textures.retain(|texture| {
+            let is_alive = texture.picture.strong_count() > 0;
+            if !is_alive {
+                renderer.free_texture(&texture.id);
+            }
+            is_alive
+        });
+        let is_it = |texture: &&WindowTexture| {
+            std::ptr::eq(texture.picture.as_ptr(), Arc::as_ptr(picture)) && texture.filter == filter
+        };
+        if let Some(known) = self.textures.iter().find(is_it) {
+            return Some(known.id);
+        }
+        let id = renderer.register_native_texture(&state.device, picture.view(), filter);
+        self.textures.push(WindowTexture { picture: Arc::downgrade(picture), filter, id });
+        Some(id)
+    }
+
+    /// Lets go of the window, whose device is lost. Returns whether the card was to draw the picture.
+    pub(crate) fn leave_window(&mut self, live: &Live) -> bool {
+        let was_on = self.is_on;
+        live.draw_with(None);
+        *self = Self { told: live.status().card_lost, ..Self::default() };
+        was_on
+    }
+
+    /// The graphics card of the window, if it can trace.
+    pub(crate) fn gpu(&self) -> Option<&Arc<Gpu>> {
+        self.window.as_ref().map(|(_, gpu)| gpu)
+    }
+
+    /// Takes the graphics card of a window, if it can trace.
+    pub(crate) fn enter_window(&mut self, state: &RenderState, gpu: Result<Gpu, GpuError>) {
+        self.window = gpu.ok().map(|gpu| (state.clone(), Arc::new(gpu)));
+    }
+
+    /// Takes note of a loss. Returns it the first time, when the card no longer draws.
+    pub(crate) fn take_loss(&mut self, live: &Live) -> Option<GpuError> {
+        let lost = live.status().card_lost;
+        if self.told == lost {
+            return None;
+        }
+        self.is_on &= lost.is_none();
+        self.told.clone_from(&lost);
+        lost
+    }
+
+    /// Lets the card draw, or the processor.
+    pub(crate) fn switch(&mut self, live: &Live, is_on: bool) {
+        let Some((_, gpu)) = &self.window else { return };
+        self.is_on = is_on;
+        self.told = None;
+        live.draw_with(is_on.then(|| Arc::clone(gpu)));
+    }
+}
+
+/// Why the card does not draw, in the words of the present language.
+pub(crate) fn why(texts: &Texts, error: &GpuError) -> String {
+    let key = match error {
+        GpuError::Lost(_) | GpuError::NoAnswer(_) => "card-is-lost",
+        GpuError::OutOfMemory(_) | GpuError::TooLarge { .. } => "card-has-no-memory",
+        GpuError::Unsupported(UnsupportedOnGpu::LongTree) => "card-has-too-many-rays",
+        GpuError::Unsupported(_) => "card-has-too-many-media",
+        other => return other.to_string(),
+    };
+    texts.get(key).to_owned()
+}
