@@ -12,9 +12,10 @@ mod language;
 mod light;
 mod list;
 mod material;
+mod shape;
 mod text;
 
-pub use body::{Anchor, Body, Placement, Shape, ShapeKind};
+pub use body::{Anchor, Body, Placement};
 pub use camera::{Camera, Projection};
 pub use color::Color;
 pub use environment::{Environment, Sky, Surroundings};
@@ -32,6 +33,7 @@ pub use material::{
     Attenuation, Checker, CheckerSpace, Coated, Conductor, Dielectric, Material, MaterialChoice, Matte,
     MetalOptics, Mirror, Model, NamedMaterial, Pattern, Phong, RefractiveIndex, Share, ThinDielectric,
 };
+pub use shape::{Shape, ShapeKind};
 pub use text::{is_active, quoted_name, visible, visible_lines};
 
 /// A whole scene: everything that decides what a picture shows, except its size.

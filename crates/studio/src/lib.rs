@@ -36,6 +36,7 @@ mod problems;
 mod run;
 mod scripts;
 mod settings;
+mod shapes;
 mod shortcuts;
 mod status_bar;
 mod texts;

@@ -17,6 +17,7 @@ use egui_material_icons::{MaterialIcon, icons};
 
 use crate::command::Command;
 use crate::context::Cx;
+use crate::shapes::shape_name;
 use crate::texts::Texts;
 use crate::widgets::filter::filter_field;
 use rows::{OutlinerRow, OutlinerRows};
@@ -234,17 +235,6 @@ pub(crate) fn item_name<'a>(texts: &'a Texts, scene: &'a Scene, item: Item) -> C
     };
     let arguments = [("kind", texts.get(key).into()), ("number", (place + 1).into())];
     Cow::Owned(texts.with("outliner-unnamed", &arguments))
-}
-
-/// The message that names a shape, and a new body of it.
-pub(crate) const fn shape_name(shape: ShapeKind) -> &'static str {
-    match shape {
-        ShapeKind::Sphere => "name-sphere",
-        ShapeKind::Cube => "name-cube",
-        ShapeKind::Cylinder => "name-cylinder",
-        ShapeKind::Cone => "name-cone",
-        ShapeKind::Plane => "name-plane",
-    }
 }
 
 /// The icon of a thing.

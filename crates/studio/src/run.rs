@@ -9,8 +9,8 @@ use crate::first_steps::FirstSteps;
 use crate::help::{HelpTopic, HelpWindow};
 use crate::layout::Pane;
 use crate::manual::ManualWindow;
-use crate::outliner::shape_name;
 use crate::palette::CommandPalette;
+use crate::shapes::shape_name;
 use crate::texts::Texts;
 use crate::{documents, images, inspector, layout, methods, theme, viewport};
 

@@ -25,7 +25,6 @@ mod rays;
 mod scene_view;
 mod steering;
 mod toolbar;
-mod wireframe;
 
 use catoptric_editor::{Action, Item};
 use egui::accesskit::Role;

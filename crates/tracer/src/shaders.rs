@@ -16,10 +16,10 @@ use crate::geometry::query::closest::GRAZING;
 use crate::geometry::ray::{INWARDS, NO_BODY, NO_START, POINT_ROUNDING};
 use crate::geometry::shape::ShapeKind;
 use crate::geometry::shape::slab::TINY as SLAB_TINY;
+use crate::geometry::shape::solid::CAP_LEVEL;
 use crate::geometry::sphere::BoundingSphere;
 use crate::shaders::constants::{MOST_INTERVALS, MOST_RAYS, ShaderConstants};
 use crate::simd::vector::MOST_LIGHT;
-use crate::transport::texture::LEVEL as TEXTURE_LEVEL;
 use crate::transport::tile_rect::TILE;
 
 pub use crate::shaders::bytes::{CameraRaysBytes, FrameUniforms, SceneArrays, tile_rays};
@@ -125,7 +125,7 @@ pub fn shader(special: &ShaderSpecialization) -> String {
 fn picture_constants() -> ShaderConstants {
     ShaderConstants {
         words: vec![("PICTURES_ACROSS", PICTURES_ACROSS)],
-        numbers: vec![("PI", std::f32::consts::PI), ("TEXTURE_LEVEL", TEXTURE_LEVEL)],
+        numbers: vec![("PI", std::f32::consts::PI), ("TEXTURE_LEVEL", CAP_LEVEL)],
         flags: Vec::new(),
     }
 }

@@ -13,20 +13,16 @@ pub(super) fn reshape(body: &mut Body, kind: ShapeKind) {
     }
     to_frame(body);
     let old = body.shape;
-    let (radius, height) = radius_and_height(&old);
-    let new = match kind {
-        ShapeKind::Sphere => Shape::Sphere { radius },
-        ShapeKind::Cube => Shape::Cube { size: DVec3::new(2.0 * radius, height, 2.0 * radius) },
-        ShapeKind::Cylinder => Shape::Cylinder { radius, height },
-        ShapeKind::Cone => Shape::Cone { radius, top_radius: 0.0, height },
-        ShapeKind::Plane => Shape::Plane,
-    };
+    // A plane has no sizes to carry over.
+    let (radius, height) =
+        old.extent().map_or((0.5, 1.0), |[min, max]| (0.5 * (max.x - min.x), max.y - min.y));
+    let new = kind.of_size(radius, height);
     body.shape = new;
     let rise = match (old, new) {
         // What replaces a plane stands on it, and a plane lies under what it replaces.
         (Shape::Plane, new) => -bottom(&new),
         (old, Shape::Plane) => bottom(&old),
-        (old, new) => middle(&old) - middle(&new),
+        (old, new) => old.middle().y - new.middle().y,
     };
     let up = body.placement.world_from_body().matrix3 * (rise * DVec3::Y);
     if let Anchor::Frame { position, .. } = &mut body.placement.anchor {
@@ -34,38 +30,14 @@ pub(super) fn reshape(body: &mut Body, kind: ShapeKind) {
     }
 }
 
-fn radius_and_height(shape: &Shape) -> (f64, f64) {
-    match *shape {
-        Shape::Sphere { radius } => (radius, 2.0 * radius),
-        Shape::Cube { size } => (0.5 * size.x, size.y),
-        Shape::Cylinder { radius, height } => (radius, height),
-        Shape::Cone { radius, top_radius, height } => (radius.max(top_radius), height),
-        Shape::Plane => (0.5, 1.0),
-    }
-}
-
 /// The height of the lowest point in the body's own frame.
 fn bottom(shape: &Shape) -> f64 {
-    match *shape {
-        Shape::Sphere { radius } => -radius,
-        Shape::Cube { size } => -0.5 * size.y,
-        Shape::Cylinder { .. } | Shape::Cone { .. } => 0.0,
-        Shape::Plane => 0.0,
-    }
+    shape.extent().map_or(0.0, |[min, _]| min.y)
 }
 
-/// The height of the middle in the body's own frame.
-fn middle(shape: &Shape) -> f64 {
-    match *shape {
-        Shape::Cylinder { height, .. } | Shape::Cone { height, .. } => 0.5 * height,
-        Shape::Sphere { .. } | Shape::Cube { .. } | Shape::Plane => 0.0,
-    }
-}
-
-/// Sets the height of a cylinder or cone; one that is placed by two points keeps its base and direction.
+/// Sets the height of a body that has one; one that is placed by two points keeps its base and direction.
 pub(super) fn set_height(body: &mut Body, value: f64) {
-    let (Shape::Cylinder { height, .. } | Shape::Cone { height, .. }) = &mut body.shape else { return };
-    *height = value;
+    body.shape.set_height(value);
     if let Anchor::Axis { base, top } = &mut body.placement.anchor {
         let direction = (*top - *base).try_normalize().unwrap_or(DVec3::Y);
         *top = (*base + value * direction).map(tidy);
@@ -76,8 +48,7 @@ pub(super) fn set_height(body: &mut Body, value: f64) {
 pub(super) fn to_frame(body: &mut Body) {
     let Anchor::Axis { base, .. } = body.placement.anchor else { return };
     if let Some(own) = body.height() {
-        let (Shape::Cylinder { height, .. } | Shape::Cone { height, .. }) = &mut body.shape else { return };
-        *height = tidy(own);
+        body.shape.set_height(tidy(own));
     }
     let turn = body.placement.rotation();
     // R = Rz · Ry · Rx, as the model has it.

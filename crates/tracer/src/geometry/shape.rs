@@ -1,4 +1,4 @@
-//! The five canonical shapes: where a ray crosses them, and their normals.
+//! The canonical shapes: where a ray crosses them, and their normals.
 //!
 //! Sizes are part of the transform, so that each shape has one standard form of extent about 1, whatever the body's
 //! size: the unit ball, the cube [-1, 1]³, the cylinder and the frustum of base radius 1 with 0 ≤ y ≤ 1, the
@@ -9,8 +9,10 @@ pub(crate) mod cube;
 pub(crate) mod cylinder;
 pub(crate) mod plane;
 pub(crate) mod slab;
+pub(crate) mod solid;
 pub(crate) mod sphere;
 
+use crate::geometry::shape::solid::Solid;
 use crate::simd::vector::Vector;
 use crate::simd::{Float, Mask as _};
 
@@ -30,6 +32,19 @@ pub enum ShapeKind {
     Plane = 4,
     /// The unit ball, stretched.
     Ellipsoid = 5,
+}
+
+impl ShapeKind {
+    /// What the shape is asked for besides where rays meet it.
+    pub(crate) fn solid(self) -> &'static dyn Solid {
+        match self {
+            Self::Sphere | Self::Ellipsoid => &sphere::UnitBall,
+            Self::Cube => &cube::UnitCube,
+            Self::Cylinder => &cylinder::UnitCylinder,
+            Self::Cone => &cone::Frustum,
+            Self::Plane => &plane::HalfSpace,
+        }
+    }
 }
 
 /// A part of a shape's surface with one formula for its normal: a small whole number, kept as a [`Float`] since rays side
