@@ -56,6 +56,7 @@ mod tests {
             (ShapeKind::Cube, 1.0),
             (ShapeKind::Cylinder, 1.0),
             (ShapeKind::Cone, 1.0),
+            (ShapeKind::Paraboloid, 1.0),
         ] {
             let placement = NewBodyPlacement { size: 0.05, ..NewBodyPlacement::at(foot) };
             let bounds = bounds::of_body(&placement.body(shape)).unwrap();

@@ -33,7 +33,7 @@ pub use material::{
     Attenuation, Checker, CheckerSpace, Coated, Conductor, Dielectric, Material, MaterialChoice, Matte,
     MetalOptics, Mirror, Model, NamedMaterial, Pattern, Phong, RefractiveIndex, Share, ThinDielectric,
 };
-pub use shape::{Shape, ShapeKind};
+pub use shape::{ParaboloidDepth, Shape, ShapeKind};
 pub use text::{is_active, quoted_name, visible, visible_lines};
 
 /// A whole scene: everything that decides what a picture shows, except its size.

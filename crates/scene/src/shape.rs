@@ -6,12 +6,15 @@
 mod cuboid;
 mod frustum;
 mod outline;
+mod paraboloid;
 mod sphere;
 
 use glam::DVec3;
 
 use crate::shape::cuboid::Cuboid;
 use crate::shape::frustum::Frustum;
+use crate::shape::paraboloid::Paraboloid;
+pub use crate::shape::paraboloid::ParaboloidDepth;
 use crate::shape::sphere::Sphere;
 
 /// The shapes, each in its own frame (meters).
@@ -43,6 +46,14 @@ pub enum Shape {
         /// Default 1. Ignored when the placement gives base and top points.
         height: f64,
     },
+    /// Cap of a paraboloid of revolution from its vertex at the origin along +Y, closed by a disc: a mirror that opens
+    /// upwards, or a lens.
+    Paraboloid {
+        /// Radius of the rim. Default 0.5.
+        radius: f64,
+        /// Default a height of 1. Ignored when the placement gives base and top points.
+        depth: ParaboloidDepth,
+    },
     /// The infinite plane y = 0 with the normal +Y; the half-space below counts as its inside.
     Plane,
 }
@@ -72,6 +83,9 @@ impl Shape {
     /// A pointed cone of radius 0.5 and height 1.
     pub const CONE: Self = Self::Cone { radius: 0.5, top_radius: 0.0, height: 1.0 };
 
+    /// A paraboloid of radius 0.5 and height 1.
+    pub const PARABOLOID: Self = Self::Paraboloid { radius: 0.5, depth: ParaboloidDepth::Height(1.0) };
+
     /// Which shape it is.
     pub const fn kind(&self) -> ShapeKind {
         match self {
@@ -79,6 +93,7 @@ impl Shape {
             Self::Cube { .. } => ShapeKind::Cube,
             Self::Cylinder { .. } => ShapeKind::Cylinder,
             Self::Cone { .. } => ShapeKind::Cone,
+            Self::Paraboloid { .. } => ShapeKind::Paraboloid,
             Self::Plane => ShapeKind::Plane,
         }
     }
@@ -88,7 +103,8 @@ impl Shape {
         self.kind().key()
     }
 
-    /// The size that scene files call `key`, if it is a number that the shape has: `radius`, `top_radius`, `height`.
+    /// The size that scene files call `key`, if it is a number that the shape has: `radius`, `top_radius`, `height`,
+    /// `focal_length`. Of the latter two a paraboloid has the one that it is given by.
     ///
     /// ```
     /// use catoptric_scene::Shape;
@@ -103,17 +119,33 @@ impl Shape {
     fn number_mut(&mut self, key: &str) -> Option<&mut f64> {
         match (self, key) {
             (
-                Self::Sphere { radius } | Self::Cylinder { radius, .. } | Self::Cone { radius, .. },
+                Self::Sphere { radius }
+                | Self::Cylinder { radius, .. }
+                | Self::Cone { radius, .. }
+                | Self::Paraboloid { radius, .. },
                 "radius",
             ) => Some(radius),
             (Self::Cone { top_radius, .. }, "top_radius") => Some(top_radius),
-            (Self::Cylinder { height, .. } | Self::Cone { height, .. }, "height") => Some(height),
+            (
+                Self::Cylinder { height, .. }
+                | Self::Cone { height, .. }
+                | Self::Paraboloid { depth: ParaboloidDepth::Height(height), .. },
+                "height",
+            ) => Some(height),
+            (Self::Paraboloid { depth: ParaboloidDepth::FocalLength(length), .. }, "focal_length") => {
+                Some(length)
+            }
             _ => None,
         }
     }
 
     /// Sets the size that scene files call `key`. Does nothing if the shape has none.
     pub fn set_number(&mut self, key: &str, value: f64) {
+        match (&mut *self, key) {
+            (Self::Paraboloid { depth, .. }, "height") => *depth = ParaboloidDepth::Height(value),
+            (Self::Paraboloid { depth, .. }, "focal_length") => *depth = ParaboloidDepth::FocalLength(value),
+            _ => {}
+        }
         if let Some(number) = self.number_mut(key) {
             *number = value;
         }
@@ -142,7 +174,18 @@ impl Shape {
     /// The height above the frame's origin; `None` for a shape that does not stand on an axis, and so cannot be placed
     /// by base and top points.
     pub fn height(&self) -> Option<f64> {
-        self.number("height")
+        match *self {
+            Self::Paraboloid { radius, depth } => Some(depth.height(radius)),
+            _ => self.number("height"),
+        }
+    }
+
+    /// The distance of the focus from the vertex, meters; `None` for what is no paraboloid.
+    pub const fn focal_length(&self) -> Option<f64> {
+        match *self {
+            Self::Paraboloid { radius, depth } => Some(depth.focal_length(radius)),
+            _ => None,
+        }
     }
 
     /// Sets the height. Does nothing if the shape has none.
@@ -153,7 +196,7 @@ impl Shape {
     /// The shape with all its sizes multiplied.
     #[must_use]
     pub fn scaled(mut self, factor: f64) -> Self {
-        for key in ["radius", "top_radius", "height"] {
+        for key in ["radius", "top_radius", "height", "focal_length"] {
             if let Some(number) = self.number_mut(key) {
                 *number *= factor;
             }
@@ -172,6 +215,9 @@ impl Shape {
             Self::Cylinder { radius, height } => question(&Frustum { bottom: radius, top: radius, height }),
             Self::Cone { radius, top_radius, height } => {
                 question(&Frustum { bottom: radius, top: top_radius, height })
+            }
+            Self::Paraboloid { radius, depth } => {
+                question(&Paraboloid { radius, height: depth.height(radius) })
             }
             Self::Plane => return None,
         })
@@ -218,13 +264,16 @@ pub enum ShapeKind {
     Cylinder,
     /// [`Shape::Cone`].
     Cone,
+    /// [`Shape::Paraboloid`].
+    Paraboloid,
     /// [`Shape::Plane`].
     Plane,
 }
 
 impl ShapeKind {
     /// All shapes, in the order in which to offer them.
-    pub const ALL: [Self; 5] = [Self::Sphere, Self::Cube, Self::Cylinder, Self::Cone, Self::Plane];
+    pub const ALL: [Self; 6] =
+        [Self::Sphere, Self::Cube, Self::Cylinder, Self::Cone, Self::Paraboloid, Self::Plane];
 
     /// The shape's name in scene files.
     pub const fn key(self) -> &'static str {
@@ -233,6 +282,7 @@ impl ShapeKind {
             Self::Cube => "cube",
             Self::Cylinder => "cylinder",
             Self::Cone => "cone",
+            Self::Paraboloid => "paraboloid",
             Self::Plane => "plane",
         }
     }
@@ -249,6 +299,7 @@ impl ShapeKind {
             Self::Cube => Shape::CUBE,
             Self::Cylinder => Shape::CYLINDER,
             Self::Cone => Shape::CONE,
+            Self::Paraboloid => Shape::PARABOLOID,
             Self::Plane => Shape::Plane,
         }
     }

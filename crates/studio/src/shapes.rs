@@ -9,6 +9,7 @@ pub(crate) const fn shape_name(shape: ShapeKind) -> &'static str {
         ShapeKind::Cube => "name-cube",
         ShapeKind::Cylinder => "name-cylinder",
         ShapeKind::Cone => "name-cone",
+        ShapeKind::Paraboloid => "name-paraboloid",
         ShapeKind::Plane => "name-plane",
     }
 }
@@ -20,6 +21,7 @@ pub(crate) const fn shape_choice(shape: ShapeKind) -> &'static str {
         ShapeKind::Cube => "shape-cube",
         ShapeKind::Cylinder => "shape-cylinder",
         ShapeKind::Cone => "shape-cone",
+        ShapeKind::Paraboloid => "shape-paraboloid",
         ShapeKind::Plane => "shape-plane",
     }
 }

@@ -233,7 +233,13 @@ fn shape(fields: &mut Fields<'_, '_, '_>) -> Result<Shape, ()> {
             _ => {}
         }
     }
-    Ok(shape)
+    match rules::depth(&shape) {
+        Some(broken) => {
+            report(fields, broken, &["radius"]);
+            Ok(kind.shape())
+        }
+        None => Ok(shape),
+    }
 }
 
 /// Where the body stands: by base and top where both are given and allowed, else by position and rotation.
@@ -251,6 +257,7 @@ fn anchor(fields: &mut Fields<'_, '_, '_>, shape: Result<Shape, ()>) -> Anchor {
         }
         return Anchor::Frame { position: DVec3::ZERO, rotation_degrees: DVec3::ZERO };
     }
+    check_company(fields, &Message::EitherOr);
     Anchor::Frame {
         position: fields.vector("position").unwrap_or(DVec3::ZERO),
         rotation_degrees: fields.vector("rotation").unwrap_or(DVec3::ZERO),

@@ -217,12 +217,17 @@ impl SceneValidator {
         let of = NamedPart { part: ScenePart::Body(index), name: &body.name };
         let before = self.problems.len();
         self.record(&of, &record::body(body));
-        let Anchor::Axis { base, top } = body.placement.anchor else { return };
+        let is_in_range = self.problems.len() == before;
+        let Anchor::Axis { base, top } = body.placement.anchor else {
+            if let Some(broken) = rules::depth(&body.shape).filter(|_| is_in_range) {
+                self.add(&of, broken.key, broken.message);
+            }
+            return;
+        };
         if body.shape.height().is_none() {
             self.add(&of, "base", Message::NoAxis { shape: body.shape.key() });
             return;
         }
-        let is_in_range = self.problems.len() == before;
         if let Some(broken) = rules::axis(base, top).filter(|_| is_in_range) {
             self.add(&of, broken.key, broken.message);
         }

@@ -18,9 +18,9 @@ use crate::shape::ShapeKind;
 pub const VERSIONS: &[&str] = &["catoptric/1"];
 
 /// The shapes with a height, which base and top points can place.
-const UPRIGHT: &[&str] = &["cylinder", "cone"];
+const UPRIGHT: &[&str] = &["cylinder", "cone", "paraboloid"];
 /// What `base` and `top` say, so that nothing else may.
-pub(crate) const SAID_BY_AXIS: &[&str] = &["position", "rotation", "height"];
+pub(crate) const SAID_BY_AXIS: &[&str] = &["position", "rotation", "height", "focal_length"];
 const WHITE: Default = Default::Vector([1.0; 3]);
 
 /// A color as a default.
@@ -326,10 +326,14 @@ pub static BODY: TableSpec = TableSpec {
         KeySpec::new("shape", Kind::Choice(&SHAPE_NAMES), "the shape of the body")
             .or(Default::Text(ShapeKind::Sphere.key()))
             .written(),
-        KeySpec::new("radius", Kind::Number(Limits::LENGTH), "the radius (of the base, for a cone), meters")
-            .or(Default::ByChoice(&[("sphere", 1.0), ("cylinder", 0.5), ("cone", 0.5)]))
-            .only("shape", &["sphere", "cylinder", "cone"])
-            .written(),
+        KeySpec::new(
+            "radius",
+            Kind::Number(Limits::LENGTH),
+            "the radius (of the base, for a cone; of the rim, for a paraboloid), meters",
+        )
+        .or(Default::ByChoice(&[("sphere", 1.0), ("cylinder", 0.5), ("cone", 0.5), ("paraboloid", 0.5)]))
+        .only("shape", &["sphere", "cylinder", "cone", "paraboloid"])
+        .written(),
         KeySpec::new(
             "top_radius",
             Kind::Number(Limits::new(0.0, 1e9)),
@@ -349,12 +353,27 @@ pub static BODY: TableSpec = TableSpec {
             .or(Default::Number(1.0))
             .only("shape", UPRIGHT)
             .written(),
-        KeySpec::new("base", Kind::Vector(Limits::PLACE), "the center of the lower base, meters")
-            .only("shape", UPRIGHT)
-            .beside("top", SAID_BY_AXIS),
-        KeySpec::new("top", Kind::Vector(Limits::PLACE), "the center of the upper base, or the apex, meters")
-            .only("shape", UPRIGHT)
-            .beside("base", SAID_BY_AXIS),
+        KeySpec::new(
+            "focal_length",
+            Kind::Number(Limits::LENGTH),
+            "the distance of the focus from the vertex in the place of the height, meters",
+        )
+        .only("shape", &["paraboloid"])
+        .excluding(&["height"]),
+        KeySpec::new(
+            "base",
+            Kind::Vector(Limits::PLACE),
+            "the center of the lower base, or the vertex of a paraboloid, meters",
+        )
+        .only("shape", UPRIGHT)
+        .beside("top", SAID_BY_AXIS),
+        KeySpec::new(
+            "top",
+            Kind::Vector(Limits::PLACE),
+            "the center of the upper base, or the apex of a cone, meters",
+        )
+        .only("shape", UPRIGHT)
+        .beside("base", SAID_BY_AXIS),
         KeySpec::new("position", Kind::Vector(Limits::PLACE), "the place of the body's own origin, meters")
             .or(Default::Vector([0.0; 3]))
             .written(),

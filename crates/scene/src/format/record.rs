@@ -269,18 +269,11 @@ mod tests {
                 let (_, key) = keys::BODY.find(name).unwrap();
                 assert!(*name == "shape" || record.is_default(key, datum), "{name} of {kind:?}");
             }
-            // A shape has the sizes that the table says it has.
-            for key in
-                keys::BODY.keys.iter().filter(|key| key.limits().is_some_and(|limits| limits.min >= 0.0))
-            {
-                let is_size = matches!(key.when, When::Choice { .. });
-                let is_kept = record.get(key.name).is_some();
-                assert_eq!(
-                    is_size && key.belongs_to("shape", kind.key()),
-                    is_size && is_kept,
-                    "{} of {kind:?}",
-                    key.name
-                );
+            // A shape has the sizes that have a default for it, and no others.
+            for key in keys::BODY.keys.iter().filter(|key| matches!(key.when, When::Choice { .. })) {
+                let has_default =
+                    key.belongs_to("shape", kind.key()) && key.default_number(Some(kind.key())).is_some();
+                assert_eq!(record.get(key.name).is_some(), has_default, "{} of {kind:?}", key.name);
             }
         }
         assert!(body(&Body::default()).is_all_default());

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use glam::DVec3;
 
 /// Corners of a circle.
-const CORNERS: u32 = 64;
+pub(super) const CORNERS: u32 = 64;
 
 /// A closed circle.
 pub(super) fn circle(center: DVec3, right: DVec3, up: DVec3) -> Vec<DVec3> {

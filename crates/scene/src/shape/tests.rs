@@ -4,7 +4,7 @@ use glam::dvec3;
 
 use super::*;
 
-fn shapes() -> [Shape; 6] {
+fn shapes() -> [Shape; 8] {
     [
         Shape::Sphere { radius: 0.7 },
         Shape::Cube { size: dvec3(1.0, 2.0, 3.0) },
@@ -12,6 +12,8 @@ fn shapes() -> [Shape; 6] {
         Shape::CONE,
         Shape::Cone { radius: 1.0, top_radius: 0.25, height: 2.0 },
         Shape::Cone { radius: 0.2, top_radius: 1.5, height: 0.5 },
+        Shape::PARABOLOID,
+        Shape::Paraboloid { radius: 2.0, depth: ParaboloidDepth::FocalLength(1.5) },
     ]
 }
 

@@ -111,6 +111,7 @@ pub(super) static ROWS: &[CommandRow] = rows! {
         Command::AddBody(ShapeKind::Cube) => "command-add-cube", ICON_DEPLOYED_CODE;
         Command::AddBody(ShapeKind::Cylinder) => "command-add-cylinder", ICON_DATABASE;
         Command::AddBody(ShapeKind::Cone) => "command-add-cone", ICON_CHANGE_HISTORY;
+        Command::AddBody(ShapeKind::Paraboloid) => "command-add-paraboloid", ICON_RICE_BOWL;
         Command::AddBody(ShapeKind::Plane) => "command-add-plane", ICON_CROP_LANDSCAPE;
         Command::AddLight => "command-add-light", ICON_LIGHTBULB;
         Command::AddMaterial => "command-add-material", ICON_PALETTE;

@@ -50,6 +50,13 @@ static HEIGHT: NumberRow<Body> = NumberRow::<Body>::new(
     reshape::set_height,
 );
 
+static FOCAL_LENGTH: NumberRow<Body> = NumberRow::<Body>::new(
+    RowQuantity::new("focal-length", "edit-focal-length", &keys::BODY, "focal_length").in_unit(Unit::Meters),
+    SliderRail::None,
+    |body| body.sized_shape().focal_length(),
+    reshape::set_focal_length,
+);
+
 static SIZE: VectorRow<Body> = VectorRow::<Body>::new(
     RowQuantity::new("size", "edit-size", &keys::BODY, "size").in_unit(Unit::Meters),
     VectorSpread::Same,
@@ -114,5 +121,6 @@ fn shape_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Body>) {
         sheet.number(ui, &BASE_RADIUS, chosen);
         sheet.number(ui, &TOP_RADIUS, chosen);
         sheet.number(ui, &HEIGHT, chosen);
+        sheet.number(ui, &FOCAL_LENGTH, chosen);
     });
 }

@@ -44,6 +44,14 @@ pub(super) fn set_height(body: &mut Body, value: f64) {
     }
 }
 
+/// Sets the focal length of a paraboloid, and with it its height.
+pub(super) fn set_focal_length(body: &mut Body, value: f64) {
+    body.shape.set_number("focal_length", value);
+    if let (Anchor::Axis { .. }, Some(height)) = (body.placement.anchor, body.shape.height()) {
+        set_height(body, height);
+    }
+}
+
 /// Places a body by position and rotation instead of two points; it stays where it is.
 pub(super) fn to_frame(body: &mut Body) {
     let Anchor::Axis { base, .. } = body.placement.anchor else { return };
@@ -79,7 +87,7 @@ fn round_angle(degrees: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use catoptric_scene::Placement;
+    use catoptric_scene::{ParaboloidDepth, Placement};
 
     fn cone(anchor: Anchor) -> Body {
         Body {
@@ -142,6 +150,22 @@ mod tests {
         reshape(&mut body, ShapeKind::Sphere);
         assert_eq!(body.shape, Shape::Sphere { radius: 0.5 });
         assert_eq!(body.placement, Placement::at(DVec3::new(1.0, 0.5, 2.0)));
+    }
+
+    #[test]
+    fn a_focal_length_sets_the_height_of_either_way_of_placing() {
+        let shape = Shape::Paraboloid { radius: 2.0, depth: ParaboloidDepth::Height(1.0) };
+        let mut free = Body { shape, ..Body::default() };
+        let mut between = free.clone();
+        between.placement.anchor = Anchor::Axis { base: DVec3::Y, top: DVec3::Y * 2.0 };
+        for body in [&mut free, &mut between] {
+            set_focal_length(body, 0.5);
+            assert_eq!((body.height(), body.sized_shape().focal_length()), (Some(2.0), Some(0.5)));
+        }
+        assert_eq!(between.placement.anchor, Anchor::Axis { base: DVec3::Y, top: DVec3::Y * 3.0 });
+        let mut ball = Body::default();
+        set_focal_length(&mut ball, 0.5);
+        assert_eq!(ball, Body::default());
     }
 
     #[test]

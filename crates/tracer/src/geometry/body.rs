@@ -156,6 +156,7 @@ impl RenderBody {
             2 => ShapeKind::Cylinder,
             3 => ShapeKind::Cone,
             4 => ShapeKind::Plane,
+            6 => ShapeKind::Paraboloid,
             _ => ShapeKind::Ellipsoid,
         };
         CanonicalShape { kind, cone_ratio: self.parameter }
@@ -374,7 +375,7 @@ mod tests {
         /// The shorter way through a frame along the world's axes leads to the same points.
         #[test]
         fn aligned_frames_are_frames(
-            shape in 0..4_usize,
+            shape in 0..5_usize,
             position in point(10.0),
             scale in [0.1..5.0_f64, 0.1..5.0, 0.1..5.0].prop_map(DVec3::from),
             eye in point(20.0),
@@ -385,6 +386,7 @@ mod tests {
                 Shape::Cube { size: DVec3::splat(2.0) },
                 Shape::Cylinder { radius: 1.0, height: 2.0 },
                 Shape::Cone { radius: 1.0, top_radius: 0.5, height: 2.0 },
+                Shape::PARABOLOID,
             ][shape];
             let aligned = body(shape, position, scale, DVec3::ZERO);
             prop_assert_eq!(aligned.aligned, 1);

@@ -249,7 +249,7 @@ mod tests {
             is_double(&scene(vec![body], DVec3::new(0.0, 1.0, 5.0), DVec3::ZERO), 0)
         };
         let coin = DVec3::new(1.0, 1e-8, 1.0);
-        assert!(scaled(Shape::SPHERE, coin) && scaled(Shape::CONE, coin));
+        assert!(scaled(Shape::SPHERE, coin) && scaled(Shape::CONE, coin) && scaled(Shape::PARABOLOID, coin));
         assert!(!scaled(Shape::CYLINDER, coin) && !scaled(Shape::CUBE, coin));
         assert!(scaled(Shape::CYLINDER, DVec3::new(1e-8, 1.0, 1.0)));
         assert!(!scaled(Shape::SPHERE, DVec3::new(1.0, 0.01, 1.0)));

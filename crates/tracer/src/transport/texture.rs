@@ -65,7 +65,7 @@ mod tests {
 
     #[test]
     fn pictures_are_seen_upright_from_outside() {
-        use ShapeKind::{Cone, Cube, Cylinder, Plane, Sphere};
+        use ShapeKind::{Cone, Cube, Cylinder, Paraboloid, Plane, Sphere};
         let expected = [
             (Sphere, [0.0, 0.0, 1.0], [0.5, 0.5]),
             (Sphere, [1.0, 0.0, 0.0], [0.75, 0.5]),
@@ -75,6 +75,8 @@ mod tests {
             (Cylinder, [0.5, 0.0, 0.5], [0.75, 0.25]),
             (Cone, [0.0, 0.5, 0.75], [0.5, 0.5]),
             (Cone, [0.25, 1.0, 0.0], [0.75, 0.5]),
+            (Paraboloid, [-0.5, 0.25, 0.0], [0.25, 0.5]),
+            (Paraboloid, [0.5, 1.0, 0.5], [0.75, 0.75]),
             // The upper right corner of each face.
             (Cube, [1.0, 1.0, 1.001], [1.0, 0.0]),
             (Cube, [-1.0, 1.0, -1.001], [1.0, 0.0]),
