@@ -200,6 +200,7 @@ impl Action {
                 ShapeKind::Cube => "edit-add-cube",
                 ShapeKind::Cylinder => "edit-add-cylinder",
                 ShapeKind::Cone => "edit-add-cone",
+                ShapeKind::Paraboloid => "edit-add-paraboloid",
                 ShapeKind::Plane => "edit-add-plane",
             },
             Self::AddLight { .. } => "edit-add-light",

@@ -1,6 +1,6 @@
 //! Bounding boxes and spheres of bodies.
 
-use catoptric_scene::{Body, Scene, Shape};
+use catoptric_scene::{Body, Scene};
 use glam::DVec3;
 
 use crate::selection::Selection;
@@ -57,17 +57,7 @@ pub struct BoundingSphere {
 fn reach(body: &Body, direction: DVec3) -> Option<f64> {
     let world_from_body = body.placement.world_from_body();
     let local = world_from_body.matrix3.transpose() * direction;
-    let across = local.x.hypot(local.z);
-    let height = body.height().unwrap_or_default();
-    let own = match body.shape {
-        Shape::Sphere { radius } => radius * local.length(),
-        Shape::Cube { size } => 0.5 * size.dot(local.abs()),
-        Shape::Cylinder { radius, .. } => radius * across + (height * local.y).max(0.0),
-        Shape::Cone { radius, top_radius, .. } => {
-            (radius * across).max(top_radius * across + height * local.y)
-        }
-        Shape::Plane => return None,
-    };
+    let own = body.sized_shape().support(local)?;
     Some(direction.dot(world_from_body.translation) + own)
 }
 
@@ -108,28 +98,10 @@ pub fn are_apart(one: &Body, other: &Body) -> bool {
     })
 }
 
-/// A ball around a body, the smallest one where a cylinder's or cone's cross section is a circle; `None` for a plane.
+/// A ball around a body, the smallest one where a round body's cross section is a circle; `None` for a plane.
 pub(crate) fn ball_of_body(body: &Body) -> Option<BoundingSphere> {
-    let world_from_body = body.placement.world_from_body();
-    let scale = body.placement.scale;
-    let wide = scale.x.max(scale.z);
-    let height = body.height().unwrap_or_default();
-    let (center, radius) = match body.shape {
-        Shape::Sphere { radius } => (DVec3::ZERO, radius * scale.max_element()),
-        Shape::Cube { size } => (DVec3::ZERO, 0.5 * (size * scale).length()),
-        Shape::Cylinder { radius, .. } => {
-            (0.5 * height * DVec3::Y, (radius * wide).hypot(0.5 * height * scale.y))
-        }
-        Shape::Cone { radius, top_radius, .. } => {
-            // The ball of two coaxial circles of radii a and b at the distance h, each on its surface: its center at y
-            // from the first has a² + y² = b² + (h − y)². Where y leaves the axis, one circle's own ball holds both.
-            let (a, b, h) = (radius * wide, top_radius * wide, height * scale.y);
-            let y = (0.5 * (h + (b - a) * (b + a) / h)).clamp(0.0, h);
-            (y / scale.y * DVec3::Y, a.hypot(y).max(b.hypot(h - y)))
-        }
-        Shape::Plane => return None,
-    };
-    Some(BoundingSphere { center: world_from_body.transform_point3(center), radius })
+    let (center, radius) = body.sized_shape().ball(body.placement.scale)?;
+    Some(BoundingSphere { center: body.placement.world_from_body().transform_point3(center), radius })
 }
 
 /// The box around the selected bodies and lights; `None` when there are none but planes.
@@ -170,7 +142,7 @@ fn around(bounds: Bounds, balls: impl Iterator<Item = BoundingSphere>) -> Boundi
 
 #[cfg(test)]
 mod tests {
-    use catoptric_scene::{Anchor, Placement};
+    use catoptric_scene::{Anchor, Placement, Shape, ShapeKind};
 
     use super::*;
     use crate::selection::Item;
@@ -262,7 +234,7 @@ mod tests {
 
     #[test]
     fn every_ball_holds_its_body() {
-        for shape in [Shape::SPHERE, Shape::CUBE, Shape::CYLINDER, Shape::CONE] {
+        for shape in ShapeKind::ALL.map(ShapeKind::shape).into_iter().filter(|shape| *shape != Shape::Plane) {
             for scale in [DVec3::ONE, DVec3::new(2.0, 0.3, 1.0), DVec3::new(0.2, 5.0, 0.4)] {
                 let body = body(shape, DVec3::Y, DVec3::new(10.0, 20.0, 30.0), scale);
                 let ball = ball_of_body(&body).unwrap();

@@ -26,7 +26,7 @@ impl NewBodyPlacement {
     pub fn body(&self, shape: ShapeKind) -> Body {
         let anchor = Anchor::Frame { position: self.foot, rotation_degrees: self.rotation_degrees };
         let placement = Placement { anchor, ..Placement::default() };
-        let mut body = Body { shape: scaled(shape.shape(), self.size), placement, ..Body::default() };
+        let mut body = Body { shape: shape.shape().scaled(self.size), placement, ..Body::default() };
         if let Some(bounds) = bounds::of_body(&body) {
             body.placement = body.placement.moved_by(DVec3::Y * (self.foot.y - bounds.min.y));
         }
@@ -44,21 +44,6 @@ impl NewBodyPlacement {
     }
 }
 
-/// A shape with all its sizes multiplied.
-fn scaled(shape: Shape, factor: f64) -> Shape {
-    match shape {
-        Shape::Sphere { radius } => Shape::Sphere { radius: radius * factor },
-        Shape::Cube { size } => Shape::Cube { size: size * factor },
-        Shape::Cylinder { radius, height } => {
-            Shape::Cylinder { radius: radius * factor, height: height * factor }
-        }
-        Shape::Cone { radius, top_radius, height } => {
-            Shape::Cone { radius: radius * factor, top_radius: top_radius * factor, height: height * factor }
-        }
-        Shape::Plane => Shape::Plane,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -71,6 +56,7 @@ mod tests {
             (ShapeKind::Cube, 1.0),
             (ShapeKind::Cylinder, 1.0),
             (ShapeKind::Cone, 1.0),
+            (ShapeKind::Paraboloid, 1.0),
         ] {
             let placement = NewBodyPlacement { size: 0.05, ..NewBodyPlacement::at(foot) };
             let bounds = bounds::of_body(&placement.body(shape)).unwrap();

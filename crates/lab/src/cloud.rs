@@ -83,31 +83,12 @@ const GROWN: &str = "\u{1}cloud ";
 /// The box around the visible bounded bodies of a scene, from sizes that are never too small.
 fn extent(scene: &Scene) -> Option<[DVec3; 2]> {
     let boxes = scene.bodies.iter().filter(|body| !body.hidden).filter_map(|body| {
-        let (low, high) = match body.shape {
-            Shape::Sphere { radius } => (DVec3::splat(-radius), DVec3::splat(radius)),
-            Shape::Cube { size } => (-size / 2.0, size / 2.0),
-            Shape::Cylinder { radius, .. } => upright(radius, body),
-            Shape::Cone { radius, top_radius, .. } => upright(radius.max(top_radius), body),
-            Shape::Plane => return None,
-        };
-        let world_from_body = body.placement.world_from_body();
-        let corners = (0..8).map(|corner| {
-            let chosen = |bit: u32, low: f64, high: f64| if corner >> bit & 1 == 0 { low } else { high };
-            let corner =
-                DVec3::new(chosen(0, low.x, high.x), chosen(1, low.y, high.y), chosen(2, low.z, high.z));
-            world_from_body.transform_point3(corner)
-        });
+        let corners = body.box_corners()?.into_iter();
         Some(corners.fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], corner| {
             [low.min(corner), high.max(corner)]
         }))
     });
     boxes.reduce(|[low, high], [other_low, other_high]| [low.min(other_low), high.max(other_high)])
-}
-
-/// The corners of a cylinder's or cone's box in its own frame.
-fn upright(radius: f64, body: &Body) -> (DVec3, DVec3) {
-    let height = body.height().unwrap_or_default();
-    (DVec3::new(-radius, 0.0, -radius), DVec3::new(radius, height, radius))
 }
 
 /// Sixteen materials that reflect a little, named by number.

@@ -234,7 +234,7 @@ impl<'a> ExactSetup<'a> {
         let mut others = Vec::new();
         for (index, body) in scene.bodies.iter().enumerate().filter(|(_, body)| !body.hidden) {
             let Some(material) = scene.material(&body.material) else { continue };
-            let place = PlacedBody { index, body, center: center(body) };
+            let place = PlacedBody { index, body, center: body.middle() };
             let is_meant = only.is_none_or(|only| only == index);
             let is_clear = material.lets_through().most > 0.0;
             let reflection = material.reflects().straight;
@@ -298,12 +298,6 @@ fn keep<'a>(places: &mut Vec<PlacedBody<'a>>, place: PlacedBody<'a>, is_cut: &mu
     if places.len() < MOST { places.push(place) } else { *is_cut = true }
 }
 
-/// The middle of a body.
-fn center(body: &Body) -> DVec3 {
-    let middle = DVec3::Y * (0.5 * body.height().unwrap_or(0.0));
-    body.placement.world_from_body().transform_point3(middle)
-}
-
 /// The radius of a body that is a ball in the world too, meters.
 fn radius(body: &Body) -> Option<f64> {
     let Shape::Sphere { radius } = body.shape else { return None };
@@ -314,14 +308,9 @@ fn radius(body: &Body) -> Option<f64> {
 
 /// How far a body reaches at most from its middle, meters.
 fn extent(body: &Body) -> f64 {
-    let own = match body.shape {
-        Shape::Sphere { radius } => radius,
-        Shape::Cube { size } => 0.5 * size.length(),
-        Shape::Cylinder { radius, height } => radius.hypot(0.5 * body.height().unwrap_or(height)),
-        Shape::Cone { radius, top_radius, height } => {
-            radius.max(top_radius).hypot(0.5 * body.height().unwrap_or(height))
-        }
-        Shape::Plane => f64::INFINITY,
-    };
+    let shape = body.sized_shape();
+    let own = shape
+        .ball(DVec3::ONE)
+        .map_or(f64::INFINITY, |(center, radius)| center.distance(shape.middle()) + radius);
     own * body.placement.scale.abs().max_element()
 }

@@ -1,8 +1,9 @@
-//! Bodies: a canonical shape, where it stands, what it is made of.
+//! Bodies: a shape, where it stands, what it is made of.
 
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 
 use crate::material::MaterialChoice;
+use crate::shape::Shape;
 
 /// One geometric body of a scene.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -23,125 +24,43 @@ pub struct Body {
 }
 
 impl Body {
-    /// Height of a cylinder or cone in meters: its own, or the distance between its base and top points.
-    /// `None` for shapes without a height.
+    /// The shape with the height that it has where it stands: its own, or the distance between its base and top points.
+    pub fn sized_shape(&self) -> Shape {
+        let mut shape = self.shape;
+        if let Anchor::Axis { base, top } = self.placement.anchor {
+            shape.set_height(base.distance(top));
+        }
+        shape
+    }
+
+    /// The height where the body stands, meters; `None` for shapes without a height.
     pub fn height(&self) -> Option<f64> {
-        let own = match self.shape {
-            Shape::Cylinder { height, .. } | Shape::Cone { height, .. } => height,
-            Shape::Sphere { .. } | Shape::Cube { .. } | Shape::Plane => return None,
-        };
-        match self.placement.anchor {
-            Anchor::Frame { .. } => Some(own),
-            Anchor::Axis { base, top } => Some(base.distance(top)),
-        }
-    }
-}
-
-/// The five shapes, each in its own frame (meters).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Shape {
-    /// Ball about the origin.
-    Sphere {
-        /// Default 1.
-        radius: f64,
-    },
-    /// Box about the origin with faces along the axes.
-    Cube {
-        /// The three edge lengths. Default 1 each.
-        size: DVec3,
-    },
-    /// Cylinder from the origin along +Y, closed by two caps.
-    Cylinder {
-        /// Default 0.5.
-        radius: f64,
-        /// Default 1. Ignored when the placement gives base and top points.
-        height: f64,
-    },
-    /// Cone from the origin along +Y: base at y = 0, apex (or the smaller cap of a frustum) at y = `height`.
-    Cone {
-        /// Radius of the base. Default 0.5.
-        radius: f64,
-        /// Radius of the upper cap; 0 (the default) makes a pointed cone.
-        top_radius: f64,
-        /// Default 1. Ignored when the placement gives base and top points.
-        height: f64,
-    },
-    /// The infinite plane y = 0 with the normal +Y; the half-space below counts as its inside.
-    Plane,
-}
-
-impl Shape {
-    /// A sphere of radius 1.
-    pub const SPHERE: Self = Self::Sphere { radius: 1.0 };
-    /// A cube of edge 1.
-    pub const CUBE: Self = Self::Cube { size: DVec3::ONE };
-    /// A cylinder of radius 0.5 and height 1.
-    pub const CYLINDER: Self = Self::Cylinder { radius: 0.5, height: 1.0 };
-    /// A pointed cone of radius 0.5 and height 1.
-    pub const CONE: Self = Self::Cone { radius: 0.5, top_radius: 0.0, height: 1.0 };
-
-    /// Which of the five it is.
-    pub const fn kind(&self) -> ShapeKind {
-        match self {
-            Self::Sphere { .. } => ShapeKind::Sphere,
-            Self::Cube { .. } => ShapeKind::Cube,
-            Self::Cylinder { .. } => ShapeKind::Cylinder,
-            Self::Cone { .. } => ShapeKind::Cone,
-            Self::Plane => ShapeKind::Plane,
-        }
+        self.sized_shape().height()
     }
 
-    /// The shape's name in scene files: `sphere`, `cube`, `cylinder`, `cone` or `plane`.
-    pub const fn key(&self) -> &'static str {
-        self.kind().key()
-    }
-}
-
-/// One of the five shapes, without sizes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum ShapeKind {
-    /// [`Shape::Sphere`].
-    Sphere,
-    /// [`Shape::Cube`].
-    Cube,
-    /// [`Shape::Cylinder`].
-    Cylinder,
-    /// [`Shape::Cone`].
-    Cone,
-    /// [`Shape::Plane`].
-    Plane,
-}
-
-impl ShapeKind {
-    /// All shapes, in the order in which to offer them.
-    pub const ALL: [Self; 5] = [Self::Sphere, Self::Cube, Self::Cylinder, Self::Cone, Self::Plane];
-
-    /// The shape's name in scene files.
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::Sphere => "sphere",
-            Self::Cube => "cube",
-            Self::Cylinder => "cylinder",
-            Self::Cone => "cone",
-            Self::Plane => "plane",
-        }
+    /// The middle of the body, meters; of a plane, its origin.
+    pub fn middle(&self) -> DVec3 {
+        self.placement.world_from_body().transform_point3(self.sized_shape().middle())
     }
 
-    /// The shape in its default size.
-    pub const fn shape(self) -> Shape {
-        match self {
-            Self::Sphere => Shape::SPHERE,
-            Self::Cube => Shape::CUBE,
-            Self::Cylinder => Shape::CYLINDER,
-            Self::Cone => Shape::CONE,
-            Self::Plane => Shape::Plane,
-        }
+    /// The lines in the world that an eye sees the body by: its edges, and where the eye looks past its surface. None
+    /// for a plane.
+    pub fn outline(&self, eye: DVec3) -> Vec<Vec<DVec3>> {
+        let frame = self.placement.world_from_body();
+        let lines = self.sized_shape().outline(frame.inverse().transform_point3(eye));
+        let to_world =
+            |line: Vec<DVec3>| line.into_iter().map(|point| frame.transform_point3(point)).collect();
+        lines.into_iter().map(to_world).collect()
     }
-}
 
-impl Default for Shape {
-    fn default() -> Self {
-        Self::SPHERE
+    /// The corners of the box around the body along the axes of its own frame, meters; `None` for a plane.
+    pub fn box_corners(&self) -> Option<[DVec3; 8]> {
+        let ends = self.sized_shape().extent()?;
+        let frame = self.placement.world_from_body();
+        Some(std::array::from_fn(|corner| {
+            let [x, y, z] = [0, 1, 2].map(|axis| ends[corner >> axis & 1][axis]);
+            frame.transform_point3(DVec3::new(x, y, z))
+        }))
     }
 }
 
@@ -213,7 +132,7 @@ pub enum Anchor {
         /// Turns about the fixed X, then Y, then Z axis, degrees, right-hand rule.
         rotation_degrees: DVec3,
     },
-    /// By the ends of its axis (cylinders and cones only), which also set the height.
+    /// By the ends of its axis (shapes with a height only), which also set the height.
     Axis {
         /// Center of the lower base, meters.
         base: DVec3,
@@ -286,6 +205,25 @@ mod tests {
             let point = |placement: Placement| placement.world_from_body().transform_point3(DVec3::ONE);
             assert!((point(moved) - point(placement) - offset).length() < 1e-12);
         }
+    }
+
+    #[test]
+    fn boxes_and_outlines_stand_where_the_body_does() {
+        let anchor = Anchor::Axis { base: DVec3::new(1.0, 2.0, 3.0), top: DVec3::new(5.0, 2.0, 3.0) };
+        let scale = DVec3::new(1.0, 0.5, 2.0);
+        // A height of its own that the points overrule.
+        let shape = Shape::Cylinder { radius: 0.5, height: 9.0 };
+        let body = Body { shape, placement: Placement { anchor, scale }, ..Body::default() };
+        assert!((body.middle() - DVec3::new(2.0, 2.0, 3.0)).length() < 1e-12);
+        let corners = body.box_corners().unwrap();
+        let [min, max] = [DVec3::min, DVec3::max].map(|pick| corners.into_iter().reduce(pick).unwrap());
+        assert!((min - DVec3::new(1.0, 1.5, 2.0)).length() < 1e-12, "{min}");
+        assert!((max - DVec3::new(3.0, 2.5, 4.0)).length() < 1e-12, "{max}");
+        let eye = DVec3::new(2.0, 40.0, 3.0);
+        for point in body.outline(eye).concat() {
+            assert!((point - point.clamp(min, max)).length() < 1e-9, "{point}");
+        }
+        assert_eq!(Body { shape: Shape::Plane, ..body }.box_corners(), None);
     }
 
     #[test]

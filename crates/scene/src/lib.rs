@@ -13,9 +13,10 @@ mod light;
 mod list;
 mod material;
 mod scene_images;
+mod shape;
 mod text;
 
-pub use body::{Anchor, Body, Placement, Shape, ShapeKind};
+pub use body::{Anchor, Body, Placement};
 pub use camera::{Camera, Projection};
 pub use color::Color;
 pub use environment::{Environment, Sky, Surroundings};
@@ -34,6 +35,7 @@ pub use material::{
     MetalOptics, Mirror, Model, NamedMaterial, Pattern, Phong, RefractiveIndex, Share, ThinDielectric,
 };
 pub use scene_images::HasImages;
+pub use shape::{ParaboloidDepth, Shape, ShapeKind};
 pub use text::{is_active, quoted_name, visible, visible_lines};
 
 /// A whole scene: everything that decides what a picture shows, except its size.

@@ -10,6 +10,7 @@ pub(crate) mod plates;
 pub(crate) mod projector;
 pub(crate) mod proof;
 pub(crate) mod scripts;
+pub(crate) mod shapes;
 pub(crate) mod shortcut_text;
 pub(crate) mod texts;
 pub(crate) mod theme;

@@ -16,10 +16,10 @@ use crate::geometry::query::closest::GRAZING;
 use crate::geometry::ray::{INWARDS, NO_BODY, NO_START, POINT_ROUNDING};
 use crate::geometry::shape::ShapeKind;
 use crate::geometry::shape::slab::TINY as SLAB_TINY;
+use crate::geometry::shape::solid::CAP_LEVEL;
 use crate::geometry::sphere::BoundingSphere;
 use crate::shaders::constants::{MOST_INTERVALS, MOST_RAYS, ShaderConstants};
 use crate::simd::vector::MOST_LIGHT;
-use crate::transport::texture::LEVEL as TEXTURE_LEVEL;
 use crate::transport::tile_rect::TILE;
 
 pub use crate::shaders::bytes::{CameraRaysBytes, FrameUniforms, SceneArrays, tile_rays};
@@ -53,6 +53,7 @@ const ALWAYS: &[&str] = &[
     include_str!("geometry/shape/cube.wgsl"),
     include_str!("geometry/shape/cylinder.wgsl"),
     include_str!("geometry/shape/cone.wgsl"),
+    include_str!("geometry/shape/paraboloid.wgsl"),
     include_str!("geometry/shape/plane.wgsl"),
     include_str!("geometry/body.wgsl"),
     include_str!("transport/light.wgsl"),
@@ -125,7 +126,7 @@ pub fn shader(special: &ShaderSpecialization) -> String {
 fn picture_constants() -> ShaderConstants {
     ShaderConstants {
         words: vec![("PICTURES_ACROSS", PICTURES_ACROSS)],
-        numbers: vec![("PI", std::f32::consts::PI), ("TEXTURE_LEVEL", TEXTURE_LEVEL)],
+        numbers: vec![("PI", std::f32::consts::PI), ("TEXTURE_LEVEL", CAP_LEVEL)],
         flags: Vec::new(),
     }
 }
@@ -140,6 +141,7 @@ fn constants(special: &ShaderSpecialization) -> ShaderConstants {
         ("CUBE", ShapeKind::Cube as u32),
         ("CYLINDER", ShapeKind::Cylinder as u32),
         ("CONE", ShapeKind::Cone as u32),
+        ("PARABOLOID", ShapeKind::Paraboloid as u32),
         ("PLANE", ShapeKind::Plane as u32),
         ("SIDE", crate::geometry::shape::SIDE as u32),
         ("LOWER_CAP", crate::geometry::shape::LOWER_CAP as u32),
@@ -170,6 +172,7 @@ fn constants(special: &ShaderSpecialization) -> ShaderConstants {
         ("HAS_CUBES", special.has(ShapeKind::Cube)),
         ("HAS_CYLINDERS", special.has(ShapeKind::Cylinder)),
         ("HAS_CONES", special.has(ShapeKind::Cone)),
+        ("HAS_PARABOLOIDS", special.has(ShapeKind::Paraboloid)),
         ("HAS_PLANES", special.has(ShapeKind::Plane)),
         ("HAS_TRANSPARENCY", special.media > 0),
         ("HAS_CHECKERS", special.checkers),

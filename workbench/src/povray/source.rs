@@ -96,6 +96,13 @@ fn shape(body: &Body) -> String {
         Shape::Cone { radius, top_radius, .. } => {
             format!("cone {{ 0, {radius}, <0,{height},0>, {top_radius}")
         }
+        Shape::Paraboloid { radius, .. } => {
+            let (across, along) = (1.0 / (radius * radius), -1.0 / height);
+            format!(
+                "intersection {{ quadric {{ <{across},0,{across}>, 0, <0,{along},0>, 0 }} plane {{ y, {height} }} \
+                 bounded_by {{ box {{ <-{radius},0,-{radius}>, <{radius},{height},{radius}> }} }}"
+            )
+        }
         Shape::Plane => "plane { y, 0".to_owned(),
     }
 }

@@ -49,7 +49,7 @@ mod tests {
             Shape::Cylinder { radius, height } | Shape::Cone { radius, height, .. } => {
                 (height, height / radius)
             }
-            Shape::Plane => (0.0, 0.0),
+            Shape::Paraboloid { .. } | Shape::Plane => (0.0, 0.0),
         };
         (body.shape.kind(), size, ratio)
     }

@@ -1,6 +1,6 @@
 //! Actions on the placement of bodies.
 
-use catoptric_scene::{Anchor, Body, Placement, Scene, Shape};
+use catoptric_scene::{Body, Placement, Scene};
 use glam::DVec3;
 
 use super::outcome::{Result, edit_bodies, wanting};
@@ -34,11 +34,7 @@ pub(super) fn drop_to_ground(scene: &Scene, selection: &Selection) -> Result {
 /// A body that stands upright, unturned and unscaled where it is; one between two points keeps its length.
 fn upright(body: &Body) -> Body {
     let mut body = body.clone();
-    if let (Anchor::Axis { .. }, Some(length)) = (body.placement.anchor, body.height())
-        && let Shape::Cylinder { height, .. } | Shape::Cone { height, .. } = &mut body.shape
-    {
-        *height = length;
-    }
+    body.shape = body.sized_shape();
     body.placement = Placement::at(body.placement.origin());
     body
 }

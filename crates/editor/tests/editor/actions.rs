@@ -19,6 +19,7 @@ fn new_bodies_stand_where_they_are_told_in_colors_of_their_own() {
         (ShapeKind::Cube, 1.0),
         (ShapeKind::Cylinder, 0.0),
         (ShapeKind::Cone, 0.0),
+        (ShapeKind::Paraboloid, 0.0),
         (ShapeKind::Sphere, 2.0),
     ] {
         act(&mut editor, &add(shape, NewBodyPlacement { size: 2.0, ..NewBodyPlacement::at(foot) }));
@@ -27,8 +28,8 @@ fn new_bodies_stand_where_they_are_told_in_colors_of_their_own() {
         assert_eq!(bounds::of_body(body).unwrap().min.y, 7.0);
     }
     let scene = editor.scene();
-    assert_eq!(names(&editor)[4..], ["sphere", "cube", "cylinder", "cone", "sphere 2"]);
-    assert_eq!(selected(&editor), [Item::Body(8)]);
+    assert_eq!(names(&editor)[4..], ["sphere", "cube", "cylinder", "cone", "paraboloid", "sphere 2"]);
+    assert_eq!(selected(&editor), [Item::Body(9)]);
     assert_eq!(editor.undo_label().unwrap().subject, "sphere 2");
     let mut colors = Vec::new();
     for (index, body) in scene.bodies.iter().skip(4).enumerate() {

@@ -18,7 +18,7 @@ use naga::{ArraySize, Module, TypeInner};
 use crate::shaders::parsed;
 
 fn module(depth: u32) -> Module {
-    parsed(&shader(&ShaderSpecialization { depth, shapes: 63, ..ShaderSpecialization::default() })).unwrap()
+    parsed(&shader(&ShaderSpecialization { depth, shapes: 127, ..ShaderSpecialization::default() })).unwrap()
 }
 
 /// The offset of each member of a struct, and the size of all.
@@ -90,7 +90,7 @@ fn records_have_the_size_of_the_shaders() {
 #[test]
 fn physical_records_are_read_where_they_are_written() {
     let special = ShaderSpecialization {
-        shapes: 63,
+        shapes: 127,
         physical: PhysicalFeatures::ALL,
         media: 1,
         ..ShaderSpecialization::default()

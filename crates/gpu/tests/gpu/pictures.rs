@@ -47,6 +47,7 @@ fn shapes(material: &Material, floor: &Material) -> Scene {
             body(Shape::Cube { size: DVec3::splat(0.9) }, DVec3::new(0.0, 0.0, 0.4), material),
             body(Shape::Cylinder { radius: 0.5, height: 1.0 }, DVec3::new(1.4, -0.5, 0.3), material),
             body(frustum, DVec3::new(-0.6, -0.3, -1.6), material),
+            body(Shape::PARABOLOID, DVec3::new(0.7, -0.7, -1.0), material),
             ellipsoid,
             flat,
         ]

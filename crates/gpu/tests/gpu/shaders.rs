@@ -30,8 +30,8 @@ pub(crate) fn kinds() -> Vec<ShaderSpecialization> {
     let mut kinds = Vec::new();
     for depth in [0, 1, 9] {
         for (media, stack) in [(0, 0), (1, 4), (16, 64)] {
-            for shapes in [0, 1, 2, 4, 8, 16, 32, 63] {
-                let asks_each_start = media > 0 && shapes == 63;
+            for shapes in [0, 1, 2, 4, 8, 16, 32, 64, 127] {
+                let asks_each_start = media > 0 && shapes == 127;
                 let checkers = shapes % 2 == 1;
                 let plain = ShaderSpecialization {
                     shapes,
@@ -46,7 +46,7 @@ pub(crate) fn kinds() -> Vec<ShaderSpecialization> {
                 };
                 kinds.push(plain);
                 kinds.extend(with_pictures(plain));
-                if [0, 63].contains(&shapes) {
+                if [0, 127].contains(&shapes) {
                     kinds.extend(PHYSICAL.map(|physical| ShaderSpecialization { physical, ..plain }));
                     kinds.extend(with_pictures(ShaderSpecialization {
                         physical: PhysicalFeatures::ALL,

@@ -104,7 +104,7 @@ impl Inapplicable {
         let is_solvable = match body.shape {
             Shape::Plane | Shape::Cube { .. } => true,
             Shape::Sphere { .. } => radius(body).is_some(),
-            Shape::Cylinder { .. } | Shape::Cone { .. } => false,
+            _ => false,
         };
         (!is_solvable).then_some(Self::CurvedMirror { mirror: index })
     }
@@ -135,29 +135,25 @@ impl Inapplicable {
 /// radius.
 const CONTACT: f64 = 1e-6;
 
-/// The least distance of a point from a body, meters; 0 or less within it. Cones and uneven spheres count as the
-/// cylinder and the box around them.
+/// The least distance of a point from a body, meters; 0 or less within it. Of a body that stands on an axis it is that
+/// from the cylinder around it, and of an uneven sphere that from the box around it.
 fn distance_from(body: &Body, point: DVec3) -> f64 {
     let frame = body.placement.world_from_body();
     let scale = body.placement.scale.abs();
     let local = body.placement.rotation().transpose() * (point - frame.translation);
+    let Some([_, max]) = body.sized_shape().extent() else { return local.y };
     let beyond = |offset: DVec3, half: DVec3| (offset.abs() - half).max(DVec3::ZERO).length();
-    let along = |radius: f64| {
-        let half = 0.5 * body.height().unwrap_or(0.0) * scale.y;
+    let along = |radius: f64, height: f64| {
+        let half = 0.5 * height * scale.y;
         let height = (local.y - half).abs() - half;
         let across = (local / scale * DVec3::new(1.0, 0.0, 1.0)).length() - radius;
         // The lesser scale gives the lesser distance.
         let across = across * scale.x.min(scale.z);
         DVec3::new(across.max(0.0), height.max(0.0), 0.0).length()
     };
-    match body.shape {
-        Shape::Plane => local.y,
-        Shape::Sphere { radius: own } => match radius(body) {
-            Some(radius) => local.length() - radius,
-            None => beyond(local, own * scale),
-        },
-        Shape::Cube { size } => beyond(local, 0.5 * size * scale),
-        Shape::Cylinder { radius, .. } => along(radius),
-        Shape::Cone { radius, top_radius, .. } => along(radius.max(top_radius)),
+    match (radius(body), body.height()) {
+        (Some(radius), _) => local.length() - radius,
+        (None, Some(height)) => along(max.x, height),
+        (None, None) => beyond(local, max * scale),
     }
 }

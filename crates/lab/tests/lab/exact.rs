@@ -223,7 +223,9 @@ fn a_mirror_that_no_formula_is_for_says_so() {
     let material = mirrors(0.0).remove(0);
     let egg = turned(ball(0.7, DVec3::ZERO, material.clone()), DVec3::ZERO, DVec3::new(1.0, 1.5, 1.0));
     let tube = body(Shape::CYLINDER, DVec3::ZERO, material.clone());
-    for mirror in [egg, tube, body(Shape::CONE, DVec3::ZERO, material.clone())] {
+    let [tip, dish] =
+        [Shape::CONE, Shape::PARABOLOID].map(|shape| body(shape, DVec3::ZERO, material.clone()));
+    for mirror in [egg, tube, tip, dish] {
         let found = answers_for(&before_a_mirror(mirror), None);
         assert_eq!(found.answers, []);
         assert_eq!(found.inapplicable, [Inapplicable::CurvedMirror { mirror: 1 }]);

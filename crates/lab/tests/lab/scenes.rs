@@ -3,8 +3,8 @@
 use catoptric_optics::{CLEAR, METALS};
 use catoptric_scene::{
     Anchor, Attenuation, Body, Camera, Checker, Coated, Color, Conductor, Dielectric, Falloff, Light,
-    Material, MaterialChoice, Matte, MetalOptics, Mirror, Model, Pattern, Phong, Placement, Projection,
-    RefractiveIndex, Scene, Shape, ThinDielectric, Tracing,
+    Material, MaterialChoice, Matte, MetalOptics, Mirror, Model, ParaboloidDepth, Pattern, Phong, Placement,
+    Projection, RefractiveIndex, Scene, Shape, ThinDielectric, Tracing,
 };
 use glam::DVec3;
 use proptest::prelude::*;
@@ -78,6 +78,10 @@ fn any_body() -> impl Strategy<Value = Body> {
             radius,
             top_radius,
             height
+        }),
+        (0.2..0.8_f64, 0.3..1.4_f64).prop_map(|(radius, height)| Shape::Paraboloid {
+            radius,
+            depth: ParaboloidDepth::Height(height)
         }),
     ];
     let place = (-1.5..1.5_f64, 0.1..1.8_f64, -1.5..1.5_f64).prop_map(DVec3::from);

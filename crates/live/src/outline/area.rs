@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
-use catoptric_scene::{Body, Shape};
+use catoptric_scene::Body;
 use catoptric_tracer::RenderCamera;
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 
 /// Cells of a lattice, pixels: coarse enough for a whole view, fine enough for what people point at.
 const LARGEST_CELL: f64 = 8.0;
@@ -44,7 +44,7 @@ impl Area {
     ) -> Option<Self> {
         let mut corners = Vec::new();
         for body in bodies {
-            let Some(box_corners) = corners_of(body) else { return Some(Self::whole(size, LARGEST_CELL)) };
+            let Some(box_corners) = body.box_corners() else { return Some(Self::whole(size, LARGEST_CELL)) };
             for corner in box_corners {
                 match camera.project(corner, size) {
                     Some((at, _)) => corners.push(at),
@@ -110,26 +110,6 @@ impl Area {
     }
 }
 
-/// The corners of a box around a body; `None` for a plane.
-fn corners_of(body: &Body) -> Option<[DVec3; 8]> {
-    let height = body.height().unwrap_or_default();
-    let (low, high) = match body.shape {
-        Shape::Sphere { radius } => (DVec3::splat(-radius), DVec3::splat(radius)),
-        Shape::Cube { size } => (-0.5 * size, 0.5 * size),
-        Shape::Cylinder { radius, .. } => {
-            (DVec3::new(-radius, 0.0, -radius), DVec3::new(radius, height, radius))
-        }
-        Shape::Cone { radius, top_radius, .. } => {
-            let widest = radius.max(top_radius);
-            (DVec3::new(-widest, 0.0, -widest), DVec3::new(widest, height, widest))
-        }
-        Shape::Plane => return None,
-    };
-    let frame = body.placement.world_from_body();
-    let side = |corner: usize, axis: usize| if corner >> axis & 1 == 0 { low[axis] } else { high[axis] };
-    Some(std::array::from_fn(|k| frame.transform_point3(DVec3::new(side(k, 0), side(k, 1), side(k, 2)))))
-}
-
 /// The corners of the convex hull in order (Andrew 1979, the monotone chain).
 fn convex_hull(mut points: Vec<DVec2>) -> Vec<DVec2> {
     points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
@@ -175,6 +155,9 @@ fn area_of(hull: &[DVec2]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::super::contour::contours;
+    use catoptric_scene::Shape;
+    use glam::DVec3;
+
     use super::super::tests::one_body;
     use super::*;
 

@@ -2,19 +2,20 @@
 
 use glam::DVec3;
 
-use crate::body::{Anchor, Body, Placement, Shape};
+use crate::body::{Anchor, Body, Placement};
 use crate::camera::{Camera, Projection};
 use crate::format::diagnostic::{Diagnostic, Diagnostics};
 use crate::format::keys;
 use crate::format::material;
 use crate::format::message::{KeyMeaning, Message};
 use crate::format::rules::{self, BrokenRule};
-use crate::format::spec::TableSpec;
+use crate::format::spec::{Kind, TableSpec};
 use crate::format::toml::{Span, Value, ValueKind};
 use crate::format::tree::Table;
 use crate::format::typed::Fields;
 use crate::light::{Falloff, Light};
 use crate::material::{Material, MaterialChoice};
+use crate::shape::{Shape, ShapeKind};
 use crate::{Environment, Sky, Surroundings, Tracing};
 
 /// Builds the document from tables.
@@ -166,7 +167,7 @@ impl<'t> SceneBuilder<'_, 't> {
         let is_known = shape.is_ok();
         let mut shape = shape.unwrap_or_default();
         if let Anchor::Axis { base, top } = anchor {
-            set_height(&mut shape, base.distance(top));
+            shape.set_height(base.distance(top));
         }
         let body = Body {
             name,
@@ -206,41 +207,45 @@ fn table_has(table: &Table<'_>, name: &str) -> bool {
 /// The shape of a body; `Err` when it is not known which.
 fn shape(fields: &mut Fields<'_, '_, '_>) -> Result<Shape, ()> {
     let is_on_axis = fields.has("base") || fields.has("top");
-    let height = |fields: &mut Fields<'_, '_, '_>| {
-        if is_on_axis { 1.0 } else { fields.number("height").unwrap_or(1.0) }
-    };
     let Ok(chosen) = fields.choice("shape") else {
         // `base` and `top` are checked with the place of the body, and leave nothing for `height` to say.
-        let elsewhere: &[&str] = if is_on_axis { &["base", "top", "height"] } else { &[] };
+        let elsewhere = [&["base", "top"], keys::SAID_BY_AXIS].concat();
+        let elsewhere = if is_on_axis { elsewhere.as_slice() } else { &[] };
         fields.check_dependent("shape", elsewhere);
         return Err(());
     };
-    Ok(match chosen.unwrap_or("sphere") {
-        "cube" => Shape::Cube { size: fields.number_or_vector("size").unwrap_or(DVec3::ONE) },
-        "cylinder" => {
-            Shape::Cylinder { radius: fields.number("radius").unwrap_or(0.5), height: height(fields) }
+    let kind = chosen.and_then(ShapeKind::of_key).unwrap_or_default();
+    let mut shape = kind.shape();
+    let sizes = fields.spec.keys.iter().filter(|key| key.belongs_to("shape", kind.key()));
+    for key in sizes.filter(|key| !(is_on_axis && keys::SAID_BY_AXIS.contains(&key.name))) {
+        match key.kind {
+            Kind::Number(_) => {
+                if let Some(number) = fields.number(key.name) {
+                    shape.set_number(key.name, number);
+                }
+            }
+            Kind::NumberOrVector(_) => {
+                if let Some(vector) = fields.number_or_vector(key.name) {
+                    shape.set_vector(key.name, vector);
+                }
+            }
+            // The ends of the axis belong to the place.
+            _ => {}
         }
-        "cone" => Shape::Cone {
-            radius: fields.number("radius").unwrap_or(0.5),
-            top_radius: fields.number("top_radius").unwrap_or(0.0),
-            height: height(fields),
-        },
-        "plane" => Shape::Plane,
-        _ => Shape::Sphere { radius: fields.number("radius").unwrap_or(1.0) },
-    })
-}
-
-/// Sets the height of a cylinder or cone.
-fn set_height(shape: &mut Shape, to: f64) {
-    if let Shape::Cylinder { height, .. } | Shape::Cone { height, .. } = shape {
-        *height = to;
+    }
+    match rules::depth(&shape) {
+        Some(broken) => {
+            report(fields, broken, &["radius"]);
+            Ok(kind.shape())
+        }
+        None => Ok(shape),
     }
 }
 
 /// Where the body stands: by base and top where both are given and allowed, else by position and rotation.
 fn anchor(fields: &mut Fields<'_, '_, '_>, shape: Result<Shape, ()>) -> Anchor {
     // A body of an unknown shape with a base is meant to be one of those that take it.
-    let takes_axis = matches!(shape, Ok(Shape::Cylinder { .. } | Shape::Cone { .. }) | Err(()));
+    let takes_axis = shape.is_ok_and(|shape| shape.height().is_some()) || shape.is_err();
     if takes_axis && (fields.has("base") || fields.has("top")) {
         check_company(fields, &Message::AxisOrFrame);
         let (base, top) = (fields.vector("base"), fields.vector("top"));
@@ -252,6 +257,7 @@ fn anchor(fields: &mut Fields<'_, '_, '_>, shape: Result<Shape, ()>) -> Anchor {
         }
         return Anchor::Frame { position: DVec3::ZERO, rotation_degrees: DVec3::ZERO };
     }
+    check_company(fields, &Message::EitherOr);
     Anchor::Frame {
         position: fields.vector("position").unwrap_or(DVec3::ZERO),
         rotation_degrees: fields.vector("rotation").unwrap_or(DVec3::ZERO),

@@ -4,7 +4,7 @@ use std::collections::{HashMap, HashSet};
 use std::fmt;
 
 use crate::Scene;
-use crate::body::{Anchor, Body, Shape};
+use crate::body::{Anchor, Body};
 use crate::camera::Camera;
 use crate::format::material;
 use crate::format::message::{Collection, Component, FoundValue, Message, Subject};
@@ -217,12 +217,17 @@ impl SceneValidator {
         let of = NamedPart { part: ScenePart::Body(index), name: &body.name };
         let before = self.problems.len();
         self.record(&of, &record::body(body));
-        let Anchor::Axis { base, top } = body.placement.anchor else { return };
-        if !matches!(body.shape, Shape::Cylinder { .. } | Shape::Cone { .. }) {
+        let is_in_range = self.problems.len() == before;
+        let Anchor::Axis { base, top } = body.placement.anchor else {
+            if let Some(broken) = rules::depth(&body.shape).filter(|_| is_in_range) {
+                self.add(&of, broken.key, broken.message);
+            }
+            return;
+        };
+        if body.shape.height().is_none() {
             self.add(&of, "base", Message::NoAxis { shape: body.shape.key() });
             return;
         }
-        let is_in_range = self.problems.len() == before;
         if let Some(broken) = rules::axis(base, top).filter(|_| is_in_range) {
             self.add(&of, broken.key, broken.message);
         }
@@ -322,7 +327,7 @@ mod tests {
     use glam::DVec3;
 
     use super::*;
-    use crate::{MaterialChoice, Phong, Placement};
+    use crate::{MaterialChoice, Phong, Placement, Shape};
 
     #[test]
     fn a_default_scene_has_no_problems() {

@@ -12,11 +12,15 @@ use crate::material::{
     Attenuation, Checker, DEFAULT_METAL, Dielectric, METAL_NAMES, Model, Pattern, Phong, RefractiveIndex,
     SUBSTANCE_NAMES,
 };
+use crate::shape::ShapeKind;
 
 /// Versions of the format that can be read; the last one is written.
 pub const VERSIONS: &[&str] = &["catoptric/1"];
 
-const CYLINDER_AND_CONE: &[&str] = &["cylinder", "cone"];
+/// The shapes with a height, which base and top points can place.
+const UPRIGHT: &[&str] = &["cylinder", "cone", "paraboloid"];
+/// What `base` and `top` say, so that nothing else may.
+pub(crate) const SAID_BY_AXIS: &[&str] = &["position", "rotation", "height", "focal_length"];
 const WHITE: Default = Default::Vector([1.0; 3]);
 
 /// A color as a default.
@@ -319,17 +323,17 @@ pub static BODY: TableSpec = TableSpec {
     doc: "A body: a shape, where it stands and what it is made of",
     keys: &[
         KeySpec::new("name", Kind::Text, "a name that no other body has"),
-        KeySpec::new(
-            "shape",
-            Kind::Choice(&["sphere", "cube", "cylinder", "cone", "plane"]),
-            "the shape of the body",
-        )
-        .or(Default::Text("sphere"))
-        .written(),
-        KeySpec::new("radius", Kind::Number(Limits::LENGTH), "the radius (of the base, for a cone), meters")
-            .or(Default::ByChoice(&[("sphere", 1.0), ("cylinder", 0.5), ("cone", 0.5)]))
-            .only("shape", &["sphere", "cylinder", "cone"])
+        KeySpec::new("shape", Kind::Choice(&SHAPE_NAMES), "the shape of the body")
+            .or(Default::Text(ShapeKind::Sphere.key()))
             .written(),
+        KeySpec::new(
+            "radius",
+            Kind::Number(Limits::LENGTH),
+            "the radius (of the base, for a cone; of the rim, for a paraboloid), meters",
+        )
+        .or(Default::ByChoice(&[("sphere", 1.0), ("cylinder", 0.5), ("cone", 0.5), ("paraboloid", 0.5)]))
+        .only("shape", &["sphere", "cylinder", "cone", "paraboloid"])
+        .written(),
         KeySpec::new(
             "top_radius",
             Kind::Number(Limits::new(0.0, 1e9)),
@@ -347,14 +351,29 @@ pub static BODY: TableSpec = TableSpec {
         .written(),
         KeySpec::new("height", Kind::Number(Limits::LENGTH), "the height, meters")
             .or(Default::Number(1.0))
-            .only("shape", CYLINDER_AND_CONE)
+            .only("shape", UPRIGHT)
             .written(),
-        KeySpec::new("base", Kind::Vector(Limits::PLACE), "the center of the lower base, meters")
-            .only("shape", CYLINDER_AND_CONE)
-            .beside("top", &["position", "rotation", "height"]),
-        KeySpec::new("top", Kind::Vector(Limits::PLACE), "the center of the upper base, or the apex, meters")
-            .only("shape", CYLINDER_AND_CONE)
-            .beside("base", &["position", "rotation", "height"]),
+        KeySpec::new(
+            "focal_length",
+            Kind::Number(Limits::LENGTH),
+            "the distance of the focus from the vertex in the place of the height, meters",
+        )
+        .only("shape", &["paraboloid"])
+        .excluding(&["height"]),
+        KeySpec::new(
+            "base",
+            Kind::Vector(Limits::PLACE),
+            "the center of the lower base, or the vertex of a paraboloid, meters",
+        )
+        .only("shape", UPRIGHT)
+        .beside("top", SAID_BY_AXIS),
+        KeySpec::new(
+            "top",
+            Kind::Vector(Limits::PLACE),
+            "the center of the upper base, or the apex of a cone, meters",
+        )
+        .only("shape", UPRIGHT)
+        .beside("base", SAID_BY_AXIS),
         KeySpec::new("position", Kind::Vector(Limits::PLACE), "the place of the body's own origin, meters")
             .or(Default::Vector([0.0; 3]))
             .written(),
@@ -382,6 +401,17 @@ pub static BODY: TableSpec = TableSpec {
         ),
         flag("locked", "whether the studio leaves the body as it is; no picture depends on it"),
     ],
+};
+
+/// Words of the shapes.
+const SHAPE_NAMES: [&str; ShapeKind::ALL.len()] = {
+    let mut names = [""; ShapeKind::ALL.len()];
+    let mut at = 0;
+    while at < names.len() {
+        names[at] = ShapeKind::ALL[at].key();
+        at += 1;
+    }
+    names
 };
 
 /// `false` by default.

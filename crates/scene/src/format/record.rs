@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use glam::DVec3;
 
-use crate::body::{Anchor, Body, Shape};
+use crate::body::{Anchor, Body};
 use crate::camera::{Camera, Projection};
 use crate::color::Color;
 use crate::format::keys;
@@ -202,21 +202,14 @@ pub(crate) fn light(light: &Light) -> Record<'_> {
 
 pub(crate) fn body(body: &Body) -> Record<'_> {
     let mut record = Record::new(&keys::BODY).name(&body.name).text("shape", body.shape.key());
-    let own_height = |record: Record<'static>, height| match body.placement.anchor {
-        Anchor::Frame { .. } => record.number("height", height),
-        Anchor::Axis { .. } => record,
-    };
-    let sizes = Record::new(&keys::BODY);
-    let sizes = match body.shape {
-        Shape::Sphere { radius } => sizes.number("radius", radius),
-        Shape::Cube { size } => sizes.number_or_vector("size", size),
-        Shape::Cylinder { radius, height } => own_height(sizes.number("radius", radius), height),
-        Shape::Cone { radius, top_radius, height } => {
-            own_height(sizes.number("radius", radius).number("top_radius", top_radius), height)
+    let is_on_axis = matches!(body.placement.anchor, Anchor::Axis { .. });
+    for key in keys::BODY.keys.iter().filter(|key| !(is_on_axis && keys::SAID_BY_AXIS.contains(&key.name))) {
+        if let Some(number) = body.shape.number(key.name) {
+            record = record.number(key.name, number);
+        } else if let Some(vector) = body.shape.vector(key.name) {
+            record = record.number_or_vector(key.name, vector);
         }
-        Shape::Plane => sizes,
-    };
-    record.values.extend(sizes.values);
+    }
     record = match body.placement.anchor {
         Anchor::Frame { position, rotation_degrees } => {
             record.vector("position", position).vector("rotation", rotation_degrees)
@@ -234,16 +227,13 @@ pub(crate) fn body(body: &Body) -> Record<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::body::ShapeKind;
+    use crate::shape::ShapeKind;
 
     #[test]
     fn the_table_and_the_types_have_the_same_shapes() {
         use crate::format::spec::Kind;
         let Kind::Choice(words) = keys::BODY.key("shape").unwrap().kind else { panic!() };
         assert_eq!(words, ShapeKind::ALL.map(ShapeKind::key));
-        for kind in ShapeKind::ALL {
-            assert_eq!(kind.shape().kind(), kind);
-        }
     }
 
     #[test]
@@ -272,12 +262,18 @@ mod tests {
         assert!(sky.is_all_default());
         assert!(tracing(&Tracing::default()).is_all_default());
         assert!(light(&Light::default()).is_all_default());
-        for shape in [Shape::SPHERE, Shape::CUBE, Shape::CYLINDER, Shape::CONE] {
-            let body_of = Body { shape, ..Body::default() };
+        for kind in ShapeKind::ALL {
+            let body_of = Body { shape: kind.shape(), ..Body::default() };
             let record = body(&body_of);
             for (name, datum) in &record.values {
                 let (_, key) = keys::BODY.find(name).unwrap();
-                assert!(*name == "shape" || record.is_default(key, datum), "{name} of {shape:?}");
+                assert!(*name == "shape" || record.is_default(key, datum), "{name} of {kind:?}");
+            }
+            // A shape has the sizes that have a default for it, and no others.
+            for key in keys::BODY.keys.iter().filter(|key| matches!(key.when, When::Choice { .. })) {
+                let has_default =
+                    key.belongs_to("shape", kind.key()) && key.default_number(Some(kind.key())).is_some();
+                assert_eq!(record.get(key.name).is_some(), has_default, "{} of {kind:?}", key.name);
             }
         }
         assert!(body(&Body::default()).is_all_default());

@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use crate::format::message::Message;
 use crate::format::spec::Limits;
+use crate::shape::Shape;
 
 /// Directions are parallel if the sine of the angle between them is less than this: some thousand times the error of
 /// rounding of their product in double precision, in which cameras are placed.
@@ -60,6 +61,16 @@ pub(crate) fn axis(base: DVec3, top: DVec3) -> Option<BrokenRule> {
         return Some(BrokenRule { key: "top", message: Message::BaseIsFarFromTop, help });
     }
     None
+}
+
+/// The height of a paraboloid that is given by its focal length has the limits of a length.
+pub(crate) fn depth(shape: &Shape) -> Option<BrokenRule> {
+    shape.number("focal_length")?;
+    (!Limits::LENGTH.contains(shape.height()?)).then_some(BrokenRule {
+        key: "focal_length",
+        message: Message::FocalLengthBesideRadius,
+        help: Message::HeightOfParaboloid,
+    })
 }
 
 /// The distance of two points that should be apart.

@@ -143,6 +143,14 @@ impl KeySpec {
         }
     }
 
+    /// Whether the key depends on `choice` and has a meaning for its value `chosen`.
+    pub fn belongs_to(&self, choice: &str, chosen: &str) -> bool {
+        match self.when {
+            When::Choice { choice: other, values } => other == choice && values.contains(&chosen),
+            When::Always => false,
+        }
+    }
+
     /// Whether the key has a meaning when the table's choice keys have the values that `choice_of` tells.
     pub fn applies(&self, choice_of: impl Fn(&str) -> Option<&'static str>) -> bool {
         match self.when {

@@ -249,10 +249,7 @@ impl<'b, 't> Fields<'_, 'b, 't> {
 
     /// The keys that depend on `choice` and apply for `chosen`.
     fn own_keys(&self, choice: &str, chosen: &str) -> Enumeration {
-        let applies = |key: &&KeySpec| match key.when {
-            When::Choice { choice: other, values } => other == choice && values.contains(&chosen),
-            When::Always => false,
-        };
+        let applies = |key: &&KeySpec| key.belongs_to(choice, chosen);
         Enumeration::of_keys(self.spec.keys.iter().filter(applies))
     }
 

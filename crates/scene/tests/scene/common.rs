@@ -4,8 +4,8 @@ use catoptric_optics::{CLEAR, METALS};
 use catoptric_scene::{
     Anchor, Attenuation, Body, Camera, Checker, CheckerSpace, Coated, Color, Conductor, Dielectric,
     Environment, Falloff, Image, ImageSource, Light, Material, MaterialChoice, Matte, MetalOptics, Mirror,
-    Model, NamedMaterial, Pattern, Phong, Placement, Projection, RefractiveIndex, Scene, Shape, Sky,
-    Surroundings, ThinDielectric, Tracing,
+    Model, NamedMaterial, ParaboloidDepth, Pattern, Phong, Placement, Projection, RefractiveIndex, Scene,
+    Shape, Sky, Surroundings, ThinDielectric, Tracing,
 };
 use glam::DVec3;
 use proptest::prelude::*;
@@ -164,23 +164,29 @@ fn shape_and_anchor() -> impl Strategy<Value = (Shape, Anchor)> {
             top_radius,
             height
         }),
+        (length(), length()).prop_map(|(radius, height)| Shape::Paraboloid {
+            radius,
+            depth: ParaboloidDepth::Height(height)
+        }),
+        (0.01..100.0_f64, 0.01..100.0_f64).prop_map(|(radius, length)| Shape::Paraboloid {
+            radius,
+            depth: ParaboloidDepth::FocalLength(length)
+        }),
         Just(Shape::Plane),
     ];
-    let on_axis = (place(), place(), length(), proptest::bool::ANY).prop_filter_map(
-        "no axis",
-        |(base, top, radius, is_cone)| {
+    let on_axis =
+        (place(), place(), length(), 0..3_u32).prop_filter_map("no axis", |(base, top, radius, which)| {
             let height = base.distance(top);
-            let shape = if is_cone {
-                Shape::Cone { radius, top_radius: 0.0, height }
-            } else {
-                Shape::Cylinder { radius, height }
+            let shape = match which {
+                0 => Shape::Cone { radius, top_radius: 0.0, height },
+                1 => Shape::Paraboloid { radius, depth: ParaboloidDepth::Height(height) },
+                _ => Shape::Cylinder { radius, height },
             };
             let anchor = Anchor::Axis { base, top };
             let body = Body { shape, placement: Placement { anchor, scale: DVec3::ONE }, ..Body::default() };
             let scene = Scene { bodies: [body].into(), ..Scene::default() };
             scene.check().is_empty().then_some((shape, anchor))
-        },
-    );
+        });
     prop_oneof![3 => (framed, frame()), 1 => on_axis]
 }
 

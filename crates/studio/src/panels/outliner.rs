@@ -15,6 +15,7 @@ use egui::accesskit::Role;
 use egui::{EventFilter, Id, Rect, ScrollArea, Sense, TextEdit, Ui, WidgetInfo, pos2, vec2};
 use egui_material_icons::{MaterialIcon, icons};
 
+use crate::base::shapes::shape_name;
 use crate::base::texts::Texts;
 use crate::base::widgets::filter::filter_field;
 use crate::state::command::{AddCommand, Command};
@@ -234,17 +235,6 @@ pub(crate) fn item_name<'a>(texts: &'a Texts, scene: &'a Scene, item: Item) -> C
     };
     let arguments = [("kind", texts.get(key).into()), ("number", (place + 1).into())];
     Cow::Owned(texts.with("outliner-unnamed", &arguments))
-}
-
-/// The message that names a shape, and a new body of it.
-pub(crate) const fn shape_name(shape: ShapeKind) -> &'static str {
-    match shape {
-        ShapeKind::Sphere => "name-sphere",
-        ShapeKind::Cube => "name-cube",
-        ShapeKind::Cylinder => "name-cylinder",
-        ShapeKind::Cone => "name-cone",
-        ShapeKind::Plane => "name-plane",
-    }
 }
 
 /// The icon of a thing.

@@ -23,7 +23,6 @@ mod rays;
 mod scene_view;
 mod steering;
 mod toolbar;
-mod wireframe;
 
 use catoptric_editor::{Action, Item};
 use catoptric_scene::Camera;

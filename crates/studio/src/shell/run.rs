@@ -3,9 +3,9 @@
 use catoptric_editor::{Action, ActionError, navigate};
 use egui::{Context, OutputCommand, ViewportCommand};
 
+use crate::base::shapes::shape_name;
 use crate::base::texts::Texts;
 use crate::base::theme;
-use crate::panels::outliner::shape_name;
 use crate::panels::{inspector, viewport};
 use crate::shell::help::HelpTopic;
 use crate::shell::studio::Studio;

@@ -3,7 +3,9 @@
 use catoptric_editor::Label;
 use catoptric_scene::{Color, Environment};
 use catoptric_studio::host::Host as _;
-use catoptric_studio::{AuditCommand, Command, Language, Pane, StartDocument, Studio, WindowCommand};
+use catoptric_studio::{
+    AuditCommand, CameraCommand, Command, Language, Pane, StartDocument, Studio, WindowCommand,
+};
 use egui::{Event, Modifiers, PointerButton, Pos2, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -242,7 +244,7 @@ fn a_pixel_at_the_lower_edge_stays_in_view() {
     assert_eq!(rect.size(), whole.size());
     assert_eq!(studio.audited_pixel().unwrap()[0], pixel);
     // What is brought into view is not brought under the panel.
-    audit.run(Command::FrameAll);
+    audit.run(CameraCommand::FrameAll.into());
     let rect = audit.harness.state().viewport_rect().unwrap();
     assert!(audit.is_panel_seen() && seen.contains_rect(rect), "{rect} in {seen}");
     // With the tool the panel goes, and comes again.

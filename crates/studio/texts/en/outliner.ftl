@@ -27,6 +27,7 @@ name-sphere = Sphere
 name-cube = Cube
 name-cylinder = Cylinder
 name-cone = Cone
+name-paraboloid = Paraboloid
 name-plane = Plane
 name-light = Light
 name-material = Material

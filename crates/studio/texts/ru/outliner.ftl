@@ -27,6 +27,7 @@ name-sphere = Шар
 name-cube = Куб
 name-cylinder = Цилиндр
 name-cone = Конус
+name-paraboloid = Параболоид
 name-plane = Плоскость
 name-light = Свет
 name-material = Материал

@@ -3,12 +3,12 @@
 pub(crate) mod double;
 
 use bytemuck::{Pod, Zeroable};
-use catoptric_scene::{Body, Shape};
+use catoptric_scene::Body;
 use glam::{DAffine3, DMat3, DVec3};
 
 use crate::geometry::body::double::Body64;
 use crate::geometry::bounds::Bounds;
-use crate::geometry::canonical::{canonical_ratio, world_from_canonical};
+use crate::geometry::canonical::CanonicalBody;
 use crate::geometry::hull::BoundingHull;
 use crate::geometry::ray::{NO_BODY, POINT_ROUNDING};
 use crate::geometry::shape::plane::span as plane_span;
@@ -63,18 +63,19 @@ pub(crate) struct BodyParts {
 impl RenderBody {
     /// The body in the space of a scene's rays.
     pub(crate) fn prepare(body: &Body, space: &RenderSpace) -> BodyParts {
-        let mut world_from_body = world_from_canonical(body);
-        let (kind, cone_ratio) = canonical(body, &world_from_body);
-        let mut is_double = space.needs_double(body, &world_from_body);
+        let canonical = CanonicalBody::of(body);
+        let CanonicalShape { kind, cone_ratio } = canonical.shape;
+        let mut world_from_body = canonical.world_from_canonical;
+        let mut is_double = space.needs_double(&canonical);
         if kind == ShapeKind::Plane {
-            match space.frame_near(body, &world_from_body) {
+            match space.frame_near(&canonical) {
                 Some((near, _)) => world_from_body = near,
                 None => is_double = true,
             }
         }
         // From here on the world is that of the rays.
         world_from_body.translation = space.render_from_world(world_from_body.translation);
-        let double = is_double.then(|| Box::new(Body64::new(body, kind, &world_from_body)));
+        let double = is_double.then(|| Box::new(Body64::new(canonical.shape, &world_from_body)));
         let mut inverse = inverse_linear(&world_from_body.matrix3);
         if kind == ShapeKind::Plane {
             // How far up from it is no matter: the row is kept as the normal.
@@ -96,7 +97,7 @@ impl RenderBody {
                 Some(double) => double.error_bound() as f32,
                 None => POINT_ROUNDING * (world_from_body.translation.abs().max_element() + extent) as f32,
             },
-            parameter: if kind == ShapeKind::Sphere { radius } else { cone_ratio },
+            parameter: if kind == ShapeKind::Sphere { radius } else { cone_ratio as f32 },
             material: 0,
             checker: NO_BODY,
             kind: kind as u8,
@@ -104,7 +105,7 @@ impl RenderBody {
             transparent: 0,
             double: u8::from(is_double),
         };
-        let bounds = Bounds::of_canonical(&world_from_body, kind, f64::from(cone_ratio));
+        let bounds = Bounds::of_canonical(&world_from_body, kind, f64::from(cone_ratio as f32));
         BodyParts { body: prepared, bounds, double }
     }
 
@@ -141,16 +142,8 @@ impl RenderBody {
 
     /// Volume in cubic meters, infinite for a plane; decides which of several bodies is the outer one.
     pub(crate) fn volume(&self) -> f64 {
-        use std::f64::consts::PI;
         let CanonicalShape { kind, cone_ratio } = self.canonical();
-        let ratio = f64::from(cone_ratio);
-        let canonical = match kind {
-            ShapeKind::Sphere | ShapeKind::Ellipsoid => 4.0 / 3.0 * PI,
-            ShapeKind::Cube => 8.0,
-            ShapeKind::Cylinder => PI,
-            ShapeKind::Cone => PI * (1.0 + ratio + ratio * ratio) / 3.0,
-            ShapeKind::Plane => f64::INFINITY,
-        };
+        let canonical = kind.solid().volume(f64::from(cone_ratio));
         canonical * self.linear().determinant().abs()
     }
 
@@ -163,6 +156,7 @@ impl RenderBody {
             2 => ShapeKind::Cylinder,
             3 => ShapeKind::Cone,
             4 => ShapeKind::Plane,
+            6 => ShapeKind::Paraboloid,
             _ => ShapeKind::Ellipsoid,
         };
         CanonicalShape { kind, cone_ratio: self.parameter }
@@ -360,29 +354,9 @@ pub(crate) fn inverse_linear(matrix: &DMat3) -> DMat3 {
     DMat3::from_diagonal(scale.recip()) * unit.inverse()
 }
 
-fn canonical(body: &Body, transform: &DAffine3) -> (ShapeKind, f32) {
-    let kind = match body.shape {
-        Shape::Sphere { .. } if is_even(transform) => ShapeKind::Sphere,
-        Shape::Sphere { .. } => ShapeKind::Ellipsoid,
-        Shape::Cube { .. } => ShapeKind::Cube,
-        Shape::Cylinder { .. } => ShapeKind::Cylinder,
-        Shape::Cone { .. } => ShapeKind::Cone,
-        Shape::Plane => ShapeKind::Plane,
-    };
-    (kind, canonical_ratio(body) as f32)
-}
-
-/// Whether a rotated scaling is the same in all directions, but for the rounding of double precision.
-fn is_even(transform: &DAffine3) -> bool {
-    const ROUNDING: f64 = 1e-12;
-    let DMat3 { x_axis, y_axis, z_axis } = transform.matrix3;
-    let length = x_axis.length();
-    (y_axis.length() - length).abs().max((z_axis.length() - length).abs()) <= ROUNDING * length
-}
-
 #[cfg(test)]
 mod tests {
-    use catoptric_scene::{Anchor, Placement};
+    use catoptric_scene::{Anchor, Placement, Shape};
     use proptest::prelude::*;
 
     use super::*;
@@ -401,7 +375,7 @@ mod tests {
         /// The shorter way through a frame along the world's axes leads to the same points.
         #[test]
         fn aligned_frames_are_frames(
-            shape in 0..4_usize,
+            shape in 0..5_usize,
             position in point(10.0),
             scale in [0.1..5.0_f64, 0.1..5.0, 0.1..5.0].prop_map(DVec3::from),
             eye in point(20.0),
@@ -412,6 +386,7 @@ mod tests {
                 Shape::Cube { size: DVec3::splat(2.0) },
                 Shape::Cylinder { radius: 1.0, height: 2.0 },
                 Shape::Cone { radius: 1.0, top_radius: 0.5, height: 2.0 },
+                Shape::PARABOLOID,
             ][shape];
             let aligned = body(shape, position, scale, DVec3::ZERO);
             prop_assert_eq!(aligned.aligned, 1);

@@ -1,7 +1,5 @@
 //! What surely contains a body, for exact questions about a handful of them.
 
-use std::f64::consts::{PI, TAU};
-
 use glam::{DAffine3, DVec3};
 
 use crate::geometry::shape::ShapeKind;
@@ -14,38 +12,9 @@ pub(crate) struct BoundingHull {
 }
 
 impl BoundingHull {
-    /// A disc lies in a regular polygon of so many corners around it.
-    const CORNERS: u32 = 12;
-
     /// Around the canonical shape that `transform` carries to the world; `None` for a plane.
     pub(crate) fn of_canonical(transform: &DAffine3, kind: ShapeKind, ratio: f64) -> Option<Self> {
-        let DAffine3 { matrix3, translation } = *transform;
-        let mut points = Vec::new();
-        let mut radius = 0.0;
-        match kind {
-            ShapeKind::Sphere | ShapeKind::Ellipsoid => {
-                points.push(translation);
-                let lengths = [matrix3.x_axis, matrix3.y_axis, matrix3.z_axis].map(DVec3::length);
-                radius = lengths.into_iter().fold(0.0, f64::max);
-            }
-            ShapeKind::Cube => {
-                let sign = |corner: u32, axis: u32| if corner >> axis & 1 == 0 { -1.0 } else { 1.0 };
-                let corners = (0..8).map(|corner| [0, 1, 2].map(|axis| sign(corner, axis)));
-                points.extend(corners.map(|corner| transform.transform_point3(corner.into())));
-            }
-            ShapeKind::Cylinder | ShapeKind::Cone => {
-                let around = 1.0 / (PI / f64::from(Self::CORNERS)).cos();
-                for (y, radius) in [(0.0, 1.0), (1.0, ratio)] {
-                    let corners = if radius == 0.0 { 1 } else { Self::CORNERS };
-                    points.extend((0..corners).map(|corner| {
-                        let (sin, cos) = (TAU / f64::from(Self::CORNERS) * f64::from(corner)).sin_cos();
-                        let [x, z] = [cos, sin].map(|at| radius * around * at);
-                        transform.transform_point3(DVec3::new(x, y, z))
-                    }));
-                }
-            }
-            ShapeKind::Plane => return None,
-        }
+        let (points, radius) = kind.solid().hull(transform, ratio)?;
         Some(Self { points, radius })
     }
 

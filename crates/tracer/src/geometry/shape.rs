@@ -1,16 +1,19 @@
-//! The five canonical shapes: where a ray crosses them, and their normals.
+//! The canonical shapes: where a ray crosses them, and their normals.
 //!
 //! Sizes are part of the transform, so that each shape has one standard form of extent about 1, whatever the body's
 //! size: the unit ball, the cube [-1, 1]³, the cylinder and the frustum of base radius 1 with 0 ≤ y ≤ 1, the
-//! half-space y ≤ 0. All are convex: a line meets them in one [`ShapeSpan`] or not at all.
+//! paraboloid's cap x² + z² ≤ y ≤ 1, the half-space y ≤ 0. All are convex: a line meets them in one [`ShapeSpan`] or not at all.
 
 pub(crate) mod cone;
 pub(crate) mod cube;
 pub(crate) mod cylinder;
+pub(crate) mod paraboloid;
 pub(crate) mod plane;
 pub(crate) mod slab;
+pub(crate) mod solid;
 pub(crate) mod sphere;
 
+use crate::geometry::shape::solid::Solid;
 use crate::simd::vector::Vector;
 use crate::simd::{Float, Mask as _};
 
@@ -30,17 +33,33 @@ pub enum ShapeKind {
     Plane = 4,
     /// The unit ball, stretched.
     Ellipsoid = 5,
+    /// x² + z² ≤ y ≤ 1.
+    Paraboloid = 6,
+}
+
+impl ShapeKind {
+    /// What the shape is asked for besides where rays meet it.
+    pub(crate) fn solid(self) -> &'static dyn Solid {
+        match self {
+            Self::Sphere | Self::Ellipsoid => &sphere::UnitBall,
+            Self::Cube => &cube::UnitCube,
+            Self::Cylinder => &cylinder::UnitCylinder,
+            Self::Cone => &cone::Frustum,
+            Self::Paraboloid => &paraboloid::ParaboloidCap,
+            Self::Plane => &plane::HalfSpace,
+        }
+    }
 }
 
 /// A part of a shape's surface with one formula for its normal: a small whole number, kept as a [`Float`] since rays side
 /// by side may meet different faces.
 pub type FaceId = f32;
 
-/// The curved part of a cylinder or cone, and the only face of spheres and planes.
+/// The curved part of a cylinder, cone or paraboloid, and the only face of spheres and planes.
 pub const SIDE: FaceId = 0.0;
 /// The lower cap of a cylinder or cone.
 pub const LOWER_CAP: FaceId = 1.0;
-/// The upper cap of a cylinder or frustum.
+/// The upper cap of a cylinder, frustum or paraboloid.
 pub const UPPER_CAP: FaceId = 2.0;
 
 /// Where a line enters and leaves a convex shape.
@@ -122,6 +141,7 @@ impl<R: Float> CanonicalShape<R> {
             ShapeKind::Cube => cube::span(origin, direction),
             ShapeKind::Cylinder => cylinder::span(origin, direction),
             ShapeKind::Cone => cone::span(self.cone_ratio, origin, direction),
+            ShapeKind::Paraboloid => paraboloid::span(origin, direction),
             ShapeKind::Plane => plane::span(origin.y, direction.y),
         }
     }
@@ -134,6 +154,7 @@ impl<R: Float> CanonicalShape<R> {
             ShapeKind::Cube => cube::pull_to_surface(face, point),
             ShapeKind::Cylinder => cone::pull_to_surface(face.like(1.0), face, point),
             ShapeKind::Cone => cone::pull_to_surface(self.cone_ratio, face, point),
+            ShapeKind::Paraboloid => paraboloid::pull_to_surface(face, point),
             ShapeKind::Plane => plane::pull_to_surface(point),
         }
     }
@@ -146,6 +167,7 @@ impl<R: Float> CanonicalShape<R> {
             ShapeKind::Cube => cube::normal(face),
             ShapeKind::Cylinder => cone::normal(face.like(1.0), face, point),
             ShapeKind::Cone => cone::normal(self.cone_ratio, face, point),
+            ShapeKind::Paraboloid => paraboloid::normal(face, point),
             ShapeKind::Plane => Vector::splat(face, [0.0, 1.0, 0.0]),
         }
     }
@@ -159,6 +181,7 @@ impl<R: Float> CanonicalShape<R> {
             ShapeKind::Cube => point.map(R::abs).largest().le(one),
             ShapeKind::Cylinder => cone::contains(one, point),
             ShapeKind::Cone => cone::contains(self.cone_ratio, point),
+            ShapeKind::Paraboloid => paraboloid::contains(point),
             ShapeKind::Plane => point.y.le(zero),
         }
     }

@@ -39,6 +39,9 @@ fn canonical_span(kind: u32, ratio: f32, origin: vec3<f32>, direction: vec3<f32>
     if HAS_CONES && kind == CONE {
         return cone_span(ratio, origin, direction);
     }
+    if HAS_PARABOLOIDS && kind == PARABOLOID {
+        return paraboloid_span(origin, direction);
+    }
     return sphere_span(origin, direction);
 }
 
@@ -51,6 +54,9 @@ fn pull_to_surface(kind: u32, ratio: f32, face: u32, point: vec3<f32>) -> vec3<f
     }
     if HAS_CONES && kind == CONE {
         return cone_pull_to_surface(ratio, face, point);
+    }
+    if HAS_PARABOLOIDS && kind == PARABOLOID {
+        return paraboloid_pull_to_surface(face, point);
     }
     return normalize_or(point, vec3(0.0, 1.0, 0.0));
 }
@@ -65,6 +71,9 @@ fn canonical_normal(kind: u32, ratio: f32, face: u32, point: vec3<f32>) -> vec3<
     if HAS_CONES && kind == CONE {
         return cone_normal(ratio, face, point);
     }
+    if HAS_PARABOLOIDS && kind == PARABOLOID {
+        return paraboloid_normal(face, point);
+    }
     return point;
 }
 
@@ -78,6 +87,9 @@ fn canonical_contains(kind: u32, ratio: f32, point: vec3<f32>) -> bool {
         }
         case CONE: {
             return cone_contains(ratio, point);
+        }
+        case PARABOLOID: {
+            return paraboloid_contains(point);
         }
         case PLANE: {
             return point.y <= 0.0;

@@ -4,11 +4,11 @@
 //! picture. So the space has its origin near what is seen when that is far from the world's, and bodies that are huge
 //! beside what is seen, or extremely flat, are intersected in double precision.
 
-use catoptric_scene::{Body, Camera, Projection, Scene, Shape};
+use catoptric_scene::{Body, Camera, Projection, Scene};
 use glam::{DAffine3, DVec3};
 use rayon::prelude::*;
 
-use crate::geometry::canonical::world_from_canonical;
+use crate::geometry::canonical::CanonicalBody;
 
 /// Coordinates and sizes may be so many times as large as the height of the picture where they are seen: then their rounding
 /// is less than a hundredth of a pixel in pictures of 1000 pixels.
@@ -99,42 +99,33 @@ impl RenderSpace {
         let space = Self { view, ..*self };
         let bodies = scene.bodies.iter().enumerate();
         let mut fits = bodies.map(|(index, body)| {
-            let transform = world_from_canonical(body);
-            let is_plane = body.shape == Shape::Plane;
-            body.hidden || is_plane || is_double(index) == space.needs_double(body, &transform)
+            let canonical = CanonicalBody::of(body);
+            body.hidden || canonical.is_plane() || is_double(index) == space.needs_double(&canonical)
         });
         fits.all(|fits| fits)
     }
 
-    /// Whether the body that `transform` carries to the world is to be intersected in double precision.
-    pub(crate) fn needs_double(&self, body: &Body, transform: &DAffine3) -> bool {
-        let lengths = axes_of(transform);
-        let is_flat = match body.shape {
-            Shape::Sphere { .. } | Shape::Cone { .. } => {
-                lengths.max_element() > MOST_FLAT * lengths.min_element()
-            }
-            // Between caps and faces, which are planes, nothing depends on the other axes.
-            Shape::Cylinder { .. } => lengths.x.max(lengths.z) > MOST_FLAT * lengths.x.min(lengths.z),
-            Shape::Cube { .. } | Shape::Plane => false,
-        };
-        is_flat || (body.shape != Shape::Plane && self.is_huge(body, transform))
+    /// Whether a body is to be intersected in double precision.
+    pub(crate) fn needs_double(&self, body: &CanonicalBody) -> bool {
+        body.shape.kind.solid().flatness(body.axes()) > MOST_FLAT || (!body.is_plane() && self.is_huge(body))
     }
 
-    fn is_huge(&self, body: &Body, transform: &DAffine3) -> bool {
-        let extent = axes_of(transform).max_element();
+    fn is_huge(&self, body: &CanonicalBody) -> bool {
+        let extent = body.axes().max_element();
         extent > MOST_HEIGHTS * self.view.least
-            && extent > MOST_HEIGHTS * self.view.height_at(distance(body, transform, self.view.focus))
+            && extent > MOST_HEIGHTS * self.view.height_at(body.distance(self.view.focus))
     }
 
     /// A plane's frame moved within the plane to where it is seen, if it is too far away: by whole units, so that pictures
     /// on the plane stay; and how far, in units. `None` where even a unit is too large, and double precision has to do.
-    pub(crate) fn frame_near(&self, body: &Body, transform: &DAffine3) -> Option<(DAffine3, DVec3)> {
-        let height = self.view.height_at(distance(body, transform, self.view.focus));
+    pub(crate) fn frame_near(&self, plane: &CanonicalBody) -> Option<(DAffine3, DVec3)> {
+        let transform = &plane.world_from_canonical;
+        let height = self.view.height_at(plane.distance(self.view.focus));
         let reach = (transform.translation - self.origin).abs().max_element();
         if reach <= MOST_HEIGHTS * height {
             return Some((*transform, DVec3::ZERO));
         }
-        if axes_of(transform).max_element() > MOST_HEIGHTS * height {
+        if plane.axes().max_element() > MOST_HEIGHTS * height {
             return None;
         }
         let at = transform.inverse().transform_point3(self.view.focus);
@@ -184,70 +175,19 @@ impl PictureScale {
     /// How far a body's surface is from the focus at least, meters: a rough bound for bodies that are far away.
     fn distance_to(&self, body: &Body) -> f64 {
         let scale = body.placement.scale.abs().max_element();
-        let reach = match body.shape {
-            Shape::Sphere { radius } => radius,
-            Shape::Cube { size } => size.length(),
-            Shape::Cylinder { radius, .. } => radius + body.height().unwrap_or(0.0),
-            Shape::Cone { radius, top_radius, .. } => radius.max(top_radius) + body.height().unwrap_or(0.0),
-            Shape::Plane => f64::INFINITY,
-        };
+        let ball = body.sized_shape().ball(DVec3::ONE);
+        let reach = ball.map_or(f64::INFINITY, |(center, radius)| center.length() + radius);
         let way = body.placement.origin().distance(self.focus) - scale * reach;
         if way > scale * reach {
             return way;
         }
-        distance(body, &world_from_canonical(body), self.focus)
+        CanonicalBody::of(body).distance(self.focus)
     }
-}
-
-/// The lengths of a frame's axes in the world; they are perpendicular.
-fn axes_of(transform: &DAffine3) -> DVec3 {
-    let axes = transform.matrix3;
-    DVec3::new(axes.x_axis.length(), axes.y_axis.length(), axes.z_axis.length())
-}
-
-/// About how far a point is from the surface of the body that `transform` carries to the world, meters: exactly for spheres,
-/// boxes and planes, and within a factor of a few for bodies that are scaled unevenly.
-fn distance(body: &Body, transform: &DAffine3, point: DVec3) -> f64 {
-    let lengths = axes_of(transform);
-    let axes = transform.matrix3;
-    let unit = |axis: DVec3, length: f64| (point - transform.translation).dot(axis / length);
-    let at =
-        DVec3::new(unit(axes.x_axis, lengths.x), unit(axes.y_axis, lengths.y), unit(axes.z_axis, lengths.z));
-    match body.shape {
-        Shape::Sphere { .. } => to_ellipsoid(at, lengths).abs(),
-        Shape::Cube { .. } => to_box(at.abs() - lengths).abs(),
-        Shape::Cylinder { .. } | Shape::Cone { .. } => {
-            let height = at.y.clamp(0.0, lengths.y);
-            let ratio = match body.shape {
-                Shape::Cone { radius, top_radius, .. } => radius.min(top_radius) / radius.max(top_radius),
-                _ => 1.0,
-            };
-            let radii = lengths * (1.0 + (ratio - 1.0) * height / lengths.y);
-            let flat = DVec3::new(at.x, 0.0, at.z);
-            let beside = if radii.x.min(radii.z) > 0.0 { to_ellipsoid(flat, radii) } else { flat.length() };
-            to_box(DVec3::new(beside, (at.y - 0.5 * lengths.y).abs() - 0.5 * lengths.y, f64::NEG_INFINITY))
-                .abs()
-        }
-        Shape::Plane => at.y.abs(),
-    }
-}
-
-/// About how far a point is outside of an ellipsoid about the origin, negative inside (I. Quilez 2008, distance to an
-/// ellipsoid).
-fn to_ellipsoid(at: DVec3, radii: DVec3) -> f64 {
-    let level = (at / radii).length();
-    let slope = (at / (radii * radii)).length();
-    if slope > 0.0 { level * (level - 1.0) / slope } else { -radii.min_element() }
-}
-
-/// How far a point is outside of a box, negative inside, from how far it is beyond each pair of faces.
-fn to_box(beyond: DVec3) -> f64 {
-    beyond.max(DVec3::ZERO).length() + beyond.max_element().min(0.0)
 }
 
 #[cfg(test)]
 mod tests {
-    use catoptric_scene::Placement;
+    use catoptric_scene::{Placement, Shape};
 
     use super::*;
 
@@ -262,8 +202,7 @@ mod tests {
 
     fn is_double(scene: &Scene, index: usize) -> bool {
         let body = scene.bodies.get(index).unwrap();
-        let transform = world_from_canonical(body);
-        RenderSpace::of(scene, &scene.camera).needs_double(body, &transform)
+        RenderSpace::of(scene, &scene.camera).needs_double(&CanonicalBody::of(body))
     }
 
     #[test]
@@ -310,32 +249,9 @@ mod tests {
             is_double(&scene(vec![body], DVec3::new(0.0, 1.0, 5.0), DVec3::ZERO), 0)
         };
         let coin = DVec3::new(1.0, 1e-8, 1.0);
-        assert!(scaled(Shape::SPHERE, coin) && scaled(Shape::CONE, coin));
+        assert!(scaled(Shape::SPHERE, coin) && scaled(Shape::CONE, coin) && scaled(Shape::PARABOLOID, coin));
         assert!(!scaled(Shape::CYLINDER, coin) && !scaled(Shape::CUBE, coin));
         assert!(scaled(Shape::CYLINDER, DVec3::new(1e-8, 1.0, 1.0)));
         assert!(!scaled(Shape::SPHERE, DVec3::new(1.0, 0.01, 1.0)));
-    }
-
-    #[test]
-    fn distances_are_those_to_surfaces() {
-        let far = |shape: Shape, at: DVec3| {
-            let body = Body { shape, ..Body::default() };
-            distance(&body, &world_from_canonical(&body), at)
-        };
-        let cube = Shape::Cube { size: DVec3::splat(2.0) };
-        let cylinder = Shape::Cylinder { radius: 1.0, height: 4.0 };
-        let cases = [
-            (Shape::SPHERE, DVec3::new(0.0, 3.0, 0.0), 2.0),
-            (Shape::SPHERE, DVec3::new(0.0, 0.25, 0.0), 0.75),
-            (cube, DVec3::new(4.0, 5.0, 0.0), 5.0),
-            (cube, DVec3::new(0.5, 0.0, 0.0), 0.5),
-            (cylinder, DVec3::new(3.0, 1.0, 0.0), 2.0),
-            (cylinder, DVec3::new(0.0, 5.0, 0.0), 1.0),
-            (cylinder, DVec3::new(0.5, 2.0, 0.0), 0.5),
-            (Shape::Plane, DVec3::new(7.0, -2.0, 1.0), 2.0),
-        ];
-        for (shape, at, exact) in cases {
-            assert!((far(shape, at) - exact).abs() < 1e-12, "{shape:?} from {at}: {}", far(shape, at));
-        }
     }
 }

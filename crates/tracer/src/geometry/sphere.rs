@@ -22,24 +22,8 @@ pub(crate) struct BoundingSphere {
 impl BoundingSphere {
     /// The smallest sphere around the canonical shape that `transform` carries to the world, widened by the rounding of
     /// single precision; that of a plane is infinite. The axes of the frame are perpendicular in the world.
-    ///
-    /// Of a frustum of height h between discs of radius r and k·r, k ≤ 1, it has its center at the height s on the axis
-    /// where it meets the rims of both, s² + r² = (h - s)² + (k·r)², or in the middle of the larger disc.
     pub(crate) fn of_canonical(transform: &DAffine3, kind: ShapeKind, ratio: f64) -> Self {
-        let [x, y, z] = [transform.matrix3.x_axis, transform.matrix3.y_axis, transform.matrix3.z_axis];
-        let (offset, radius) = match kind {
-            ShapeKind::Sphere | ShapeKind::Ellipsoid => (0.0 * y, x.length().max(y.length()).max(z.length())),
-            ShapeKind::Cube => {
-                (0.0 * y, (x.length_squared() + y.length_squared() + z.length_squared()).sqrt())
-            }
-            ShapeKind::Cylinder | ShapeKind::Cone => {
-                let larger = x.length_squared().max(z.length_squared());
-                let height = y.length_squared();
-                let share = (0.5 - 0.5 * (1.0 - ratio * ratio) * larger / height).max(0.0);
-                (share * y, (larger + share * share * height).sqrt())
-            }
-            ShapeKind::Plane => (0.0 * y, f64::INFINITY),
-        };
+        let (offset, radius) = kind.solid().bounding_sphere(&transform.matrix3, ratio);
         let center = transform.translation + offset;
         let radius = radius + f64::from(POINT_ROUNDING) * (center.abs().max_element() + radius);
         Self { center: center.as_vec3().to_array(), radius: radius as f32 }

@@ -141,7 +141,9 @@ impl BoundingCone {
 pub(crate) mod tests {
     use std::f64::consts::PI;
 
-    use catoptric_scene::{Anchor, Body, Light, Material, MaterialChoice, Phong, Placement, Scene, Shape};
+    use catoptric_scene::{
+        Anchor, Body, Light, Material, MaterialChoice, ParaboloidDepth, Phong, Placement, Scene, Shape,
+    };
     use proptest::collection::vec;
     use proptest::prelude::*;
 
@@ -161,7 +163,7 @@ pub(crate) mod tests {
 
     /// Some body, and where in its own frame some point of it lies.
     pub(crate) fn body() -> impl Strategy<Value = (Body, DVec3)> {
-        let shape = (0..4_usize, size(), size(), 0.0..2.0_f64, 0.0..1.0_f64, -PI..PI, -1.0..1.0_f64);
+        let shape = (0..5_usize, size(), size(), 0.0..2.0_f64, 0.0..1.0_f64, -PI..PI, -1.0..1.0_f64);
         let shape = shape.prop_map(|(kind, radius, height, ratio, out, around, up)| {
             let (sin, cos) = around.sin_cos();
             let out = if out > 0.9 { 1.0 } else { out };
@@ -178,6 +180,10 @@ pub(crate) mod tests {
                     (Shape::Cube { size }, 0.5 * size * DVec3::new(cos.signum(), up, sin))
                 }
                 2 => (Shape::Cylinder { radius, height }, level(radius)),
+                3 => {
+                    let depth = ParaboloidDepth::Height(height);
+                    (Shape::Paraboloid { radius, depth }, level(radius * share.sqrt()))
+                }
                 _ => {
                     let top_radius = if ratio < 0.5 { 0.0 } else { ratio * radius };
                     let here = radius + share * (top_radius - radius);

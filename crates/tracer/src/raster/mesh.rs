@@ -34,12 +34,15 @@ impl Mesh {
     /// The canonical shape with a quarter of a circle, or the edge of a cube, in `fineness` parts; of a plane the
     /// patch that can be seen.
     pub(crate) fn of(shape: CanonicalShape, fineness: u32, patch: PlanePatch) -> Self {
-        match shape.kind {
-            ShapeKind::Sphere | ShapeKind::Ellipsoid => revolution::sphere(fineness),
-            ShapeKind::Cube => cube::cube(fineness),
-            ShapeKind::Cylinder => revolution::frustum(1.0, fineness),
-            ShapeKind::Cone => revolution::frustum(f64::from(shape.cone_ratio), fineness),
-            ShapeKind::Plane => patch.mesh(fineness),
+        let curves = shape.kind.solid().profile(f64::from(shape.cone_ratio), fineness);
+        match (curves, shape.kind) {
+            (Some(curves), _) => {
+                let mut mesh = Self::default();
+                curves.iter().for_each(|rings| mesh.revolve(rings, 4 * fineness));
+                mesh
+            }
+            (None, ShapeKind::Plane) => patch.mesh(fineness),
+            (None, _) => cube::cube(fineness),
         }
     }
 

@@ -3,11 +3,10 @@
 pub(crate) mod checker;
 pub(crate) mod lookup;
 
-use std::f32::consts::{PI, TAU};
-
 use catoptric_scene::Pattern;
 
-use crate::geometry::shape::{CanonicalShape, ShapeKind};
+use crate::geometry::shape::CanonicalShape;
+use crate::geometry::shape::solid::PicturePlace;
 use crate::simd::vector::Vector;
 use crate::simd::{Float32 as _, MOST_LANES, Mask as _, Width};
 use crate::transport::texture::lookup::{AddressMode, ImageLookup};
@@ -49,55 +48,24 @@ impl ImageTexture {
     }
 
     fn color(&self, shape: CanonicalShape, point: [f32; 3]) -> [f32; 3] {
-        let (u, v, beyond) = place(shape, point);
-        self.0.at(u, v, beyond)
-    }
-}
-
-/// Points of a cap may be this far from its level by rounding.
-pub(crate) const LEVEL: f32 = 1e-6;
-
-/// Where a point of a body's surface lies in the picture: its middle is where z is largest, seen upright from outside.
-fn place(shape: CanonicalShape, [x, y, z]: [f32; 3]) -> (f32, f32, AddressMode) {
-    let around = || 0.5 + x.atan2(z) / TAU;
-    // A square as wide as 2, seen from its front.
-    let flat = |right: f32, down: f32| (0.5 + 0.5 * right, 0.5 + 0.5 * down, AddressMode::Ends);
-    match shape.kind {
-        ShapeKind::Sphere | ShapeKind::Ellipsoid => {
-            (around(), 0.5 - y.atan2((x * x + z * z).sqrt()) / PI, AddressMode::Repeats)
-        }
-        ShapeKind::Cube => {
-            let [far_x, far_y, far_z] = [x, y, z].map(f32::abs);
-            if far_x > far_y.max(far_z) {
-                flat(-z * x.signum(), -y)
-            } else if far_y > far_z {
-                flat(x, z * y.signum())
-            } else {
-                flat(x * z.signum(), -y)
-            }
-        }
-        ShapeKind::Cylinder | ShapeKind::Cone if y >= 1.0 - LEVEL => {
-            let radius = if shape.kind == ShapeKind::Cone { shape.cone_ratio } else { 1.0 };
-            flat(x / radius.max(LEVEL), z / radius.max(LEVEL))
-        }
-        ShapeKind::Cylinder | ShapeKind::Cone if y <= LEVEL => flat(x, -z),
-        ShapeKind::Cylinder | ShapeKind::Cone => (around(), 1.0 - y, AddressMode::Repeats),
-        ShapeKind::Plane => (x, z.rem_euclid(1.0), AddressMode::Repeats),
+        let PicturePlace { u, v, repeats } = shape.kind.solid().picture_place(shape.cone_ratio, point);
+        self.0.at(u, v, if repeats { AddressMode::Repeats } else { AddressMode::Ends })
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::shape::ShapeKind;
 
     fn of(kind: ShapeKind, point: [f32; 3]) -> [f32; 2] {
-        let (u, v, _) = place(CanonicalShape { kind, cone_ratio: 0.5 }, point);
+        let PicturePlace { u, v, .. } = kind.solid().picture_place(0.5, point);
         [u, v]
     }
 
     #[test]
     fn pictures_are_seen_upright_from_outside() {
-        use ShapeKind::{Cone, Cube, Cylinder, Plane, Sphere};
+        use ShapeKind::{Cone, Cube, Cylinder, Paraboloid, Plane, Sphere};
         let expected = [
             (Sphere, [0.0, 0.0, 1.0], [0.5, 0.5]),
             (Sphere, [1.0, 0.0, 0.0], [0.75, 0.5]),
@@ -107,6 +75,8 @@ mod tests {
             (Cylinder, [0.5, 0.0, 0.5], [0.75, 0.25]),
             (Cone, [0.0, 0.5, 0.75], [0.5, 0.5]),
             (Cone, [0.25, 1.0, 0.0], [0.75, 0.5]),
+            (Paraboloid, [-0.5, 0.25, 0.0], [0.25, 0.5]),
+            (Paraboloid, [0.5, 1.0, 0.5], [0.75, 0.75]),
             // The upper right corner of each face.
             (Cube, [1.0, 1.0, 1.001], [1.0, 0.0]),
             (Cube, [-1.0, 1.0, -1.001], [1.0, 0.0]),

@@ -49,5 +49,11 @@ fn texture_place(kind: u32, ratio: f32, point: vec3<f32>) -> Place {
         }
         return Place(around, 1.0 - point.y, true);
     }
+    if HAS_PARABOLOIDS && kind == PARABOLOID {
+        if point.y >= 1.0 - TEXTURE_LEVEL {
+            return flat_place(point.x, point.z);
+        }
+        return Place(around, 1.0 - sqrt(max(point.y, 0.0)), true);
+    }
     return Place(around, 0.5 - angle_of(point.y, length(point.xz)) / PI, true);
 }

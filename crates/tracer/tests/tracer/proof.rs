@@ -15,6 +15,7 @@ mod local_light;
 mod materials;
 mod media;
 mod mirrors;
+mod paraboloid;
 mod random;
 mod refraction;
 mod robustness;

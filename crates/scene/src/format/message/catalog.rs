@@ -258,6 +258,13 @@ messages! {
         "`base` and `top` are the ends of the axis; move one of them",
         "`base` и `top` — концы оси; сдвиньте один из них";
 
+    FocalLengthBesideRadius:
+        "`focal_length` gives a height that is less than 1e-9 or more than 1e9 meters",
+        "`focal_length` даёт высоту меньше 1e-9 или больше 1e9 метров";
+    HeightOfParaboloid:
+        "the height of a paraboloid is the square of `radius` over four times `focal_length`; change one of them",
+        "высота параболоида равна квадрату `radius`, делённому на учетверённый `focal_length`; измените один из ключей";
+
     // Names.
     MaterialIsTable:
         "a material is a table: `[materials.NAME]`",

@@ -4,11 +4,12 @@ use std::sync::Arc;
 
 use catoptric_editor::Item;
 use catoptric_scene::format::keys;
-use catoptric_scene::{Body, Shape, ShapeKind};
+use catoptric_scene::{Body, ShapeKind};
 use egui::{Id, Ui};
 
 use super::sheet::{NumberRow, PropertySheet, RowQuantity, SliderRail, Unit, VectorRow, VectorSpread};
 use super::{InspectorState, header, material, place, reshape};
+use crate::base::shapes::shape_choice;
 use crate::base::widgets::choice::{ChoiceItem, choice_ui};
 use crate::base::widgets::section::section;
 use crate::state::context::Cx;
@@ -16,13 +17,10 @@ use crate::state::context::Cx;
 static RADIUS: NumberRow<Body> = NumberRow::<Body>::new(
     RowQuantity::new("radius", "edit-radius", &keys::BODY, "radius").in_unit(Unit::Meters),
     SliderRail::None,
-    |body| match body.shape {
-        Shape::Sphere { radius } | Shape::Cylinder { radius, .. } => Some(radius),
-        _ => None,
-    },
+    |body| body.shape.number("radius").filter(|_| body.shape.number("top_radius").is_none()),
     |body, value| {
-        if let Shape::Sphere { radius } | Shape::Cylinder { radius, .. } = &mut body.shape {
-            *radius = value;
+        if body.shape.number("top_radius").is_none() {
+            body.shape.set_number("radius", value);
         }
     },
 );
@@ -30,10 +28,10 @@ static RADIUS: NumberRow<Body> = NumberRow::<Body>::new(
 static BASE_RADIUS: NumberRow<Body> = NumberRow::<Body>::new(
     RowQuantity::new("base-radius", "edit-radius", &keys::BODY, "radius").in_unit(Unit::Meters),
     SliderRail::None,
-    |body| if let Shape::Cone { radius, .. } = body.shape { Some(radius) } else { None },
+    |body| body.shape.number("radius").filter(|_| body.shape.number("top_radius").is_some()),
     |body, value| {
-        if let Shape::Cone { radius, .. } = &mut body.shape {
-            *radius = value;
+        if body.shape.number("top_radius").is_some() {
+            body.shape.set_number("radius", value);
         }
     },
 );
@@ -41,12 +39,8 @@ static BASE_RADIUS: NumberRow<Body> = NumberRow::<Body>::new(
 static TOP_RADIUS: NumberRow<Body> = NumberRow::<Body>::new(
     RowQuantity::new("top-radius", "edit-top-radius", &keys::BODY, "top_radius").in_unit(Unit::Meters),
     SliderRail::None,
-    |body| if let Shape::Cone { top_radius, .. } = body.shape { Some(top_radius) } else { None },
-    |body, value| {
-        if let Shape::Cone { top_radius, .. } = &mut body.shape {
-            *top_radius = value;
-        }
-    },
+    |body| body.shape.number("top_radius"),
+    |body, value| body.shape.set_number("top_radius", value),
 );
 
 static HEIGHT: NumberRow<Body> = NumberRow::<Body>::new(
@@ -56,15 +50,18 @@ static HEIGHT: NumberRow<Body> = NumberRow::<Body>::new(
     reshape::set_height,
 );
 
+static FOCAL_LENGTH: NumberRow<Body> = NumberRow::<Body>::new(
+    RowQuantity::new("focal-length", "edit-focal-length", &keys::BODY, "focal_length").in_unit(Unit::Meters),
+    SliderRail::None,
+    |body| body.sized_shape().focal_length(),
+    reshape::set_focal_length,
+);
+
 static SIZE: VectorRow<Body> = VectorRow::<Body>::new(
     RowQuantity::new("size", "edit-size", &keys::BODY, "size").in_unit(Unit::Meters),
     VectorSpread::Same,
-    |body| if let Shape::Cube { size } = body.shape { Some(size) } else { None },
-    |body, value| {
-        if let Shape::Cube { size } = &mut body.shape {
-            *size = value;
-        }
-    },
+    |body| body.shape.vector("size"),
+    |body, value| body.shape.set_vector("size", value),
 )
 .linked(|memory| &mut memory.size_link);
 
@@ -99,10 +96,10 @@ pub(super) fn bodies_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut InspectorStat
 fn shape_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Body>) {
     let texts = sheet.texts();
     let kind = sheet.primary.shape.kind();
-    let summary = texts.get(shape_key(&sheet.primary.shape));
+    let summary = texts.get(shape_choice(kind));
     section(ui, "shape", texts.get("section-shape"), summary, sheet.is_free, |ui| {
         let choices = ShapeKind::ALL.map(|kind| {
-            let key = shape_key(&kind.shape());
+            let key = shape_choice(kind);
             ChoiceItem {
                 value: kind,
                 text: texts.get(key),
@@ -124,16 +121,6 @@ fn shape_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Body>) {
         sheet.number(ui, &BASE_RADIUS, chosen);
         sheet.number(ui, &TOP_RADIUS, chosen);
         sheet.number(ui, &HEIGHT, chosen);
+        sheet.number(ui, &FOCAL_LENGTH, chosen);
     });
-}
-
-/// The message that names a shape.
-pub(super) fn shape_key(shape: &Shape) -> &'static str {
-    match shape {
-        Shape::Sphere { .. } => "shape-sphere",
-        Shape::Cube { .. } => "shape-cube",
-        Shape::Cylinder { .. } => "shape-cylinder",
-        Shape::Cone { .. } => "shape-cone",
-        Shape::Plane => "shape-plane",
-    }
 }

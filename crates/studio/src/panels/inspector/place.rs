@@ -1,7 +1,7 @@
 //! Rows for the placement of bodies: position, rotation and scale, or the two ends of their axis.
 
 use catoptric_scene::format::keys;
-use catoptric_scene::{Anchor, Body, Shape};
+use catoptric_scene::{Anchor, Body};
 use egui::Ui;
 
 use super::reshape;
@@ -69,7 +69,7 @@ static SCALE: VectorRow<Body> = VectorRow::<Body>::new(
 pub(super) fn place_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Body>) {
     let texts = sheet.texts();
     section(ui, "place", texts.get("section-place"), "", sheet.is_free, |ui| {
-        if matches!(sheet.primary.shape, Shape::Cylinder { .. } | Shape::Cone { .. }) {
+        if sheet.primary.shape.height().is_some() {
             anchor_ui(ui, sheet);
         }
         sheet.vector(ui, &POSITION);
@@ -80,7 +80,7 @@ pub(super) fn place_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Body>) {
     });
 }
 
-/// The choice between the two ways of placing cylinders and cones. Neither moves the body.
+/// The choice between the two ways of placing a body that stands on an axis. Neither moves the body.
 fn anchor_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Body>) {
     let texts = sheet.texts();
     let can_be_axis = reshape::to_axis(sheet.primary).is_some();

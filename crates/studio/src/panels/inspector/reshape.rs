@@ -13,20 +13,16 @@ pub(super) fn reshape(body: &mut Body, kind: ShapeKind) {
     }
     to_frame(body);
     let old = body.shape;
-    let (radius, height) = radius_and_height(&old);
-    let new = match kind {
-        ShapeKind::Sphere => Shape::Sphere { radius },
-        ShapeKind::Cube => Shape::Cube { size: DVec3::new(2.0 * radius, height, 2.0 * radius) },
-        ShapeKind::Cylinder => Shape::Cylinder { radius, height },
-        ShapeKind::Cone => Shape::Cone { radius, top_radius: 0.0, height },
-        ShapeKind::Plane => Shape::Plane,
-    };
+    // A plane has no sizes to carry over.
+    let (radius, height) =
+        old.extent().map_or((0.5, 1.0), |[min, max]| (0.5 * (max.x - min.x), max.y - min.y));
+    let new = kind.of_size(radius, height);
     body.shape = new;
     let rise = match (old, new) {
         // What replaces a plane stands on it, and a plane lies under what it replaces.
         (Shape::Plane, new) => -bottom(&new),
         (old, Shape::Plane) => bottom(&old),
-        (old, new) => middle(&old) - middle(&new),
+        (old, new) => old.middle().y - new.middle().y,
     };
     let up = body.placement.world_from_body().matrix3 * (rise * DVec3::Y);
     if let Anchor::Frame { position, .. } = &mut body.placement.anchor {
@@ -34,41 +30,25 @@ pub(super) fn reshape(body: &mut Body, kind: ShapeKind) {
     }
 }
 
-fn radius_and_height(shape: &Shape) -> (f64, f64) {
-    match *shape {
-        Shape::Sphere { radius } => (radius, 2.0 * radius),
-        Shape::Cube { size } => (0.5 * size.x, size.y),
-        Shape::Cylinder { radius, height } => (radius, height),
-        Shape::Cone { radius, top_radius, height } => (radius.max(top_radius), height),
-        Shape::Plane => (0.5, 1.0),
-    }
-}
-
 /// The height of the lowest point in the body's own frame.
 fn bottom(shape: &Shape) -> f64 {
-    match *shape {
-        Shape::Sphere { radius } => -radius,
-        Shape::Cube { size } => -0.5 * size.y,
-        Shape::Cylinder { .. } | Shape::Cone { .. } => 0.0,
-        Shape::Plane => 0.0,
-    }
+    shape.extent().map_or(0.0, |[min, _]| min.y)
 }
 
-/// The height of the middle in the body's own frame.
-fn middle(shape: &Shape) -> f64 {
-    match *shape {
-        Shape::Cylinder { height, .. } | Shape::Cone { height, .. } => 0.5 * height,
-        Shape::Sphere { .. } | Shape::Cube { .. } | Shape::Plane => 0.0,
-    }
-}
-
-/// Sets the height of a cylinder or cone; one that is placed by two points keeps its base and direction.
+/// Sets the height of a body that has one; one that is placed by two points keeps its base and direction.
 pub(super) fn set_height(body: &mut Body, value: f64) {
-    let (Shape::Cylinder { height, .. } | Shape::Cone { height, .. }) = &mut body.shape else { return };
-    *height = value;
+    body.shape.set_height(value);
     if let Anchor::Axis { base, top } = &mut body.placement.anchor {
         let direction = (*top - *base).try_normalize().unwrap_or(DVec3::Y);
         *top = (*base + value * direction).map(tidy);
+    }
+}
+
+/// Sets the focal length of a paraboloid, and with it its height.
+pub(super) fn set_focal_length(body: &mut Body, value: f64) {
+    body.shape.set_number("focal_length", value);
+    if let (Anchor::Axis { .. }, Some(height)) = (body.placement.anchor, body.shape.height()) {
+        set_height(body, height);
     }
 }
 
@@ -76,8 +56,7 @@ pub(super) fn set_height(body: &mut Body, value: f64) {
 pub(super) fn to_frame(body: &mut Body) {
     let Anchor::Axis { base, .. } = body.placement.anchor else { return };
     if let Some(own) = body.height() {
-        let (Shape::Cylinder { height, .. } | Shape::Cone { height, .. }) = &mut body.shape else { return };
-        *height = tidy(own);
+        body.shape.set_height(tidy(own));
     }
     let turn = body.placement.rotation();
     // R = Rz · Ry · Rx, as the model has it.
@@ -108,7 +87,7 @@ fn round_angle(degrees: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use catoptric_scene::Placement;
+    use catoptric_scene::{ParaboloidDepth, Placement};
 
     fn cone(anchor: Anchor) -> Body {
         Body {
@@ -171,6 +150,22 @@ mod tests {
         reshape(&mut body, ShapeKind::Sphere);
         assert_eq!(body.shape, Shape::Sphere { radius: 0.5 });
         assert_eq!(body.placement, Placement::at(DVec3::new(1.0, 0.5, 2.0)));
+    }
+
+    #[test]
+    fn a_focal_length_sets_the_height_of_either_way_of_placing() {
+        let shape = Shape::Paraboloid { radius: 2.0, depth: ParaboloidDepth::Height(1.0) };
+        let mut free = Body { shape, ..Body::default() };
+        let mut between = free.clone();
+        between.placement.anchor = Anchor::Axis { base: DVec3::Y, top: DVec3::Y * 2.0 };
+        for body in [&mut free, &mut between] {
+            set_focal_length(body, 0.5);
+            assert_eq!((body.height(), body.sized_shape().focal_length()), (Some(2.0), Some(0.5)));
+        }
+        assert_eq!(between.placement.anchor, Anchor::Axis { base: DVec3::Y, top: DVec3::Y * 3.0 });
+        let mut ball = Body::default();
+        set_focal_length(&mut ball, 0.5);
+        assert_eq!(ball, Body::default());
     }
 
     #[test]

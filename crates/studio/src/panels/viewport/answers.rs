@@ -11,7 +11,6 @@ use glam::DVec3;
 
 use super::dashes::dashed;
 use super::scene_view::SceneView;
-use super::wireframe;
 use crate::base::texts::Texts;
 use crate::base::{plates, theme};
 use crate::panels::audit::short;
@@ -150,7 +149,7 @@ impl AnswerPainter<'_> {
         // What is far outside would make a shape of every dash up to there.
         let near = self.scene_view.rect.expand(self.scene_view.rect.size().max_elem());
         let shown = |point: DVec3| self.scene_view.point(mirrored(point)).filter(|at| near.contains(*at));
-        for line in wireframe::outline(body, mirrored(self.scene_view.projector.position())) {
+        for line in body.outline(mirrored(self.scene_view.projector.position())) {
             let points: Vec<Option<Pos2>> = line.into_iter().map(shown).collect();
             for piece in points.split(Option::is_none) {
                 let piece: Vec<Pos2> = piece.iter().copied().flatten().collect();

@@ -114,6 +114,7 @@ pub(super) static ROWS: &[CommandRow] = rows! {
         "add.cube": Add(AddCommand::Body(ShapeKind::Cube)) => "command-add-cube", ICON_DEPLOYED_CODE;
         "add.cylinder": Add(AddCommand::Body(ShapeKind::Cylinder)) => "command-add-cylinder", ICON_DATABASE;
         "add.cone": Add(AddCommand::Body(ShapeKind::Cone)) => "command-add-cone", ICON_CHANGE_HISTORY;
+        "add.paraboloid": Add(AddCommand::Body(ShapeKind::Paraboloid)) => "command-add-paraboloid", ICON_RICE_BOWL;
         "add.plane": Add(AddCommand::Body(ShapeKind::Plane)) => "command-add-plane", ICON_CROP_LANDSCAPE;
         "add.light": Add(AddCommand::Light) => "command-add-light", ICON_LIGHTBULB;
         "add.material": Add(AddCommand::Material) => "command-add-material", ICON_PALETTE;

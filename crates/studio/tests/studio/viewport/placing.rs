@@ -7,7 +7,8 @@ use catoptric_studio::{AddCommand, StartDocument};
 use super::*;
 use crate::kit::{TestHost, studio_with};
 
-const SHAPES: [ShapeKind; 4] = [ShapeKind::Sphere, ShapeKind::Cube, ShapeKind::Cylinder, ShapeKind::Cone];
+const SHAPES: [ShapeKind; 5] =
+    [ShapeKind::Sphere, ShapeKind::Cube, ShapeKind::Cylinder, ShapeKind::Cone, ShapeKind::Paraboloid];
 
 impl Hand {
     fn on(start: StartDocument) -> Self {

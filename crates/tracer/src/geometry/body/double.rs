@@ -5,12 +5,10 @@
 //!
 //! [`RenderSpace`]: crate::geometry::space::RenderSpace
 
-use catoptric_scene::Body;
 use glam::{DAffine3, DMat3, DVec3};
 
 use crate::geometry::body::{SurfacePoint, inverse_linear};
-use crate::geometry::canonical::canonical_ratio;
-use crate::geometry::shape::{CanonicalShape, ShapeKind, ShapeSpan};
+use crate::geometry::shape::{CanonicalShape, ShapeSpan};
 use crate::simd::double::Float64;
 use crate::simd::vector::Vector;
 use crate::simd::{Float as _, Float32, MOST_LANES, Mask as _, Width};
@@ -21,8 +19,7 @@ const CHUNK: usize = 8;
 /// A body's shape and its transforms, in double precision.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Body64 {
-    kind: ShapeKind,
-    cone_ratio: f64,
+    shape: CanonicalShape<f64>,
     /// Rows of the linear part of the transform from the space of the rays to the body's frame, and of its inverse.
     body_from_world: [[f64; 3]; 3],
     world_from_body: [[f64; 3]; 3],
@@ -34,12 +31,11 @@ pub(crate) struct Body64 {
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 impl Body64 {
-    /// The body that `render_from_canonical` carries to the space of the rays.
-    pub(crate) fn new(body: &Body, kind: ShapeKind, render_from_canonical: &DAffine3) -> Self {
+    /// The shape that `render_from_canonical` carries to the space of the rays.
+    pub(crate) fn new(shape: CanonicalShape<f64>, render_from_canonical: &DAffine3) -> Self {
         let rows = |matrix: &DMat3| matrix.transpose().to_cols_array_2d();
         Self {
-            kind,
-            cone_ratio: canonical_ratio(body),
+            shape,
             body_from_world: rows(&inverse_linear(&render_from_canonical.matrix3)),
             world_from_body: rows(&render_from_canonical.matrix3),
             origin: render_from_canonical.translation.to_array(),
@@ -167,7 +163,8 @@ impl Body64 {
 
     #[inline(always)]
     fn shape<const N: usize>(&self) -> CanonicalShape<Float64<N>> {
-        CanonicalShape { kind: self.kind, cone_ratio: Float64([self.cone_ratio; N]) }
+        let CanonicalShape { kind, cone_ratio } = self.shape;
+        CanonicalShape { kind, cone_ratio: Float64([cone_ratio; N]) }
     }
 
     #[inline(always)]

@@ -9,6 +9,14 @@
 //! height = 1.0
 //! ```
 
+use std::f64::consts::PI;
+
+use glam::{DAffine3, DMat3, DVec2, DVec3};
+
+use crate::geometry::shape::solid::{
+    CAP_LEVEL, PicturePlace, RevolutionRing, Solid, bounds_of_discs, hull_of_discs, steps,
+    to_layer_of_cylinder,
+};
 use crate::geometry::shape::{LOWER_CAP, SIDE, ShapeSpan, UPPER_CAP, slab};
 use crate::simd::vector::Vector;
 use crate::simd::{Float, Mask as _};
@@ -118,4 +126,70 @@ pub(crate) fn contains<R: Float>(ratio: R, point: Vector<R>) -> R::Mask {
     let radius = one + (ratio - one) * point.y;
     let is_between_caps = zero.le(point.y) & point.y.le(one);
     is_between_caps & (point.x * point.x + point.z * point.z).le(radius * radius)
+}
+
+/// The closed cone or frustum.
+pub(crate) struct Frustum;
+
+impl Solid for Frustum {
+    fn bounds(&self, frame: &DAffine3, ratio: f64) -> Option<[DVec3; 2]> {
+        Some(bounds_of_discs(frame, [1.0, ratio]))
+    }
+
+    /// Of a frustum of height h between discs of radius r and k·r, k ≤ 1, it has its center at the height s on the axis
+    /// where it meets the rims of both, s² + r² = (h - s)² + (k·r)², or in the middle of the larger disc.
+    fn bounding_sphere(&self, linear: &DMat3, ratio: f64) -> (DVec3, f64) {
+        let larger = linear.x_axis.length_squared().max(linear.z_axis.length_squared());
+        let height = linear.y_axis.length_squared();
+        let share = (0.5 - 0.5 * (1.0 - ratio * ratio) * larger / height).max(0.0);
+        (share * linear.y_axis, (larger + share * share * height).sqrt())
+    }
+
+    fn hull(&self, frame: &DAffine3, ratio: f64) -> Option<(Vec<DVec3>, f64)> {
+        Some((hull_of_discs(frame, &[(0.0, 1.0), (1.0, ratio)]), 0.0))
+    }
+
+    fn volume(&self, ratio: f64) -> f64 {
+        PI * (1.0 + ratio + ratio * ratio) / 3.0
+    }
+
+    fn middle(&self) -> Option<DVec3> {
+        Some(0.5 * DVec3::Y)
+    }
+
+    fn flatness(&self, axes: DVec3) -> f64 {
+        axes.max_element() / axes.min_element()
+    }
+
+    fn distance(&self, ratio: f64, axes: DVec3, at: DVec3) -> f64 {
+        let height = at.y.clamp(0.0, axes.y);
+        to_layer_of_cylinder(axes, 1.0 + (ratio - 1.0) * height / axes.y, at)
+    }
+
+    fn picture_place(&self, ratio: f32, [x, y, z]: [f32; 3]) -> PicturePlace {
+        if y >= 1.0 - CAP_LEVEL {
+            let radius = ratio.max(CAP_LEVEL);
+            PicturePlace::flat(x / radius, z / radius)
+        } else if y <= CAP_LEVEL {
+            PicturePlace::flat(x, -z)
+        } else {
+            PicturePlace::around([x, y, z], 1.0 - y)
+        }
+    }
+
+    /// Side, base and top.
+    fn profile(&self, ratio: f64, fineness: u32) -> Option<Vec<Vec<RevolutionRing>>> {
+        let ring = |y: f64| {
+            let normal = DVec2::new(1.0, 1.0 - ratio);
+            RevolutionRing { y, radius: 1.0 + (ratio - 1.0) * y, normal }
+        };
+        let mut side: Vec<RevolutionRing> = steps(fineness).map(ring).collect();
+        // The end exactly as the cap's.
+        side.last_mut().into_iter().for_each(|top| top.radius = ratio);
+        let mut curves = vec![side, RevolutionRing::disc(0.0, 1.0, -1.0, fineness)];
+        if ratio > 0.0 {
+            curves.push(RevolutionRing::disc(1.0, ratio, 1.0, fineness));
+        }
+        Some(curves)
+    }
 }

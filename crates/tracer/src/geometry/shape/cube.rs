@@ -6,6 +6,9 @@
 //! size = 1.6                      # or [x, y, z]
 //! ```
 
+use glam::{DAffine3, DMat3, DVec3};
+
+use crate::geometry::shape::solid::{PicturePlace, RevolutionRing, Solid, to_box};
 use crate::geometry::shape::{ShapeSpan, slab};
 use crate::simd::Float;
 use crate::simd::vector::Vector;
@@ -43,4 +46,58 @@ pub(crate) fn normal<R: Float>(face: R) -> Vector<R> {
 #[inline(always)]
 fn along<R: Float>(axis: R, number: f32, sign: R) -> R {
     R::select(axis.eq(axis.like(number)), sign, axis.like(0.0))
+}
+
+/// The cube, of whatever scale.
+pub(crate) struct UnitCube;
+
+impl Solid for UnitCube {
+    fn bounds(&self, frame: &DAffine3, _ratio: f64) -> Option<[DVec3; 2]> {
+        let DMat3 { x_axis: x, y_axis: y, z_axis: z } = frame.matrix3;
+        let reach = x.abs() + y.abs() + z.abs();
+        Some([frame.translation - reach, frame.translation + reach])
+    }
+
+    fn bounding_sphere(&self, linear: &DMat3, _ratio: f64) -> (DVec3, f64) {
+        let DMat3 { x_axis: x, y_axis: y, z_axis: z } = linear;
+        (DVec3::ZERO, (x.length_squared() + y.length_squared() + z.length_squared()).sqrt())
+    }
+
+    fn hull(&self, frame: &DAffine3, _ratio: f64) -> Option<(Vec<DVec3>, f64)> {
+        let sign = |corner: u32, axis: u32| if corner >> axis & 1 == 0 { -1.0 } else { 1.0 };
+        let corners = (0..8).map(|corner| [0, 1, 2].map(|axis| sign(corner, axis)));
+        Some((corners.map(|corner| frame.transform_point3(corner.into())).collect(), 0.0))
+    }
+
+    fn volume(&self, _ratio: f64) -> f64 {
+        8.0
+    }
+
+    fn middle(&self) -> Option<DVec3> {
+        Some(DVec3::ZERO)
+    }
+
+    /// Of planes nothing depends on the other axes.
+    fn flatness(&self, _axes: DVec3) -> f64 {
+        1.0
+    }
+
+    fn distance(&self, _ratio: f64, axes: DVec3, at: DVec3) -> f64 {
+        to_box(at.abs() - axes).abs()
+    }
+
+    fn picture_place(&self, _ratio: f32, [x, y, z]: [f32; 3]) -> PicturePlace {
+        let [far_x, far_y, far_z] = [x, y, z].map(f32::abs);
+        if far_x > far_y.max(far_z) {
+            PicturePlace::flat(-z * x.signum(), -y)
+        } else if far_y > far_z {
+            PicturePlace::flat(x, z * y.signum())
+        } else {
+            PicturePlace::flat(x * z.signum(), -y)
+        }
+    }
+
+    fn profile(&self, _ratio: f64, _fineness: u32) -> Option<Vec<Vec<RevolutionRing>>> {
+        None
+    }
 }

@@ -7,6 +7,10 @@
 //! height = 1.0
 //! ```
 
+use glam::{DAffine3, DMat3, DVec3};
+
+use crate::geometry::shape::cone::Frustum;
+use crate::geometry::shape::solid::{PicturePlace, RevolutionRing, Solid};
 use crate::geometry::shape::{LOWER_CAP, SIDE, ShapeSpan, UPPER_CAP, slab};
 use crate::simd::Float;
 use crate::simd::vector::Vector;
@@ -40,4 +44,45 @@ fn side<R: Float>(origin: [R; 2], direction: [R; 2]) -> ShapeSpan<R> {
 #[inline(always)]
 fn dot<R: Float>(a: [R; 2], b: [R; 2]) -> R {
     a[1].times_plus(b[1], a[0] * b[0])
+}
+
+/// The closed cylinder: a frustum of the ratio 1, but that its curved surface does not depend on the height.
+pub(crate) struct UnitCylinder;
+
+impl Solid for UnitCylinder {
+    fn bounds(&self, frame: &DAffine3, _ratio: f64) -> Option<[DVec3; 2]> {
+        Frustum.bounds(frame, 1.0)
+    }
+
+    fn bounding_sphere(&self, linear: &DMat3, _ratio: f64) -> (DVec3, f64) {
+        Frustum.bounding_sphere(linear, 1.0)
+    }
+
+    fn hull(&self, frame: &DAffine3, _ratio: f64) -> Option<(Vec<DVec3>, f64)> {
+        Frustum.hull(frame, 1.0)
+    }
+
+    fn volume(&self, _ratio: f64) -> f64 {
+        Frustum.volume(1.0)
+    }
+
+    fn middle(&self) -> Option<DVec3> {
+        Frustum.middle()
+    }
+
+    fn flatness(&self, axes: DVec3) -> f64 {
+        axes.x.max(axes.z) / axes.x.min(axes.z)
+    }
+
+    fn distance(&self, _ratio: f64, axes: DVec3, at: DVec3) -> f64 {
+        Frustum.distance(1.0, axes, at)
+    }
+
+    fn picture_place(&self, _ratio: f32, point: [f32; 3]) -> PicturePlace {
+        Frustum.picture_place(1.0, point)
+    }
+
+    fn profile(&self, _ratio: f64, fineness: u32) -> Option<Vec<Vec<RevolutionRing>>> {
+        Frustum.profile(1.0, fineness)
+    }
 }

@@ -6,7 +6,12 @@
 //! radius = 1.0
 //! ```
 
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use glam::{DAffine3, DMat3, DVec2, DVec3};
+
 use crate::geometry::shape::ShapeSpan;
+use crate::geometry::shape::solid::{PicturePlace, RevolutionRing, Solid, to_ellipsoid};
 use crate::simd::Float;
 use crate::simd::vector::Vector;
 
@@ -33,4 +38,63 @@ pub(crate) fn world_span<R: Float>(radius: f32, origin: Vector<R>, direction: Ve
 #[inline(always)]
 pub(crate) fn pull_to_surface<R: Float>(point: Vector<R>) -> Vector<R> {
     point.normalize_or(Vector::splat(point.x, [0.0, 1.0, 0.0]))
+}
+
+/// The unit ball, of whatever scale.
+pub(crate) struct UnitBall;
+
+impl Solid for UnitBall {
+    fn bounds(&self, frame: &DAffine3, _ratio: f64) -> Option<[DVec3; 2]> {
+        let DMat3 { x_axis: x, y_axis: y, z_axis: z } = frame.matrix3;
+        let reach = (x * x + y * y + z * z).map(f64::sqrt);
+        Some([frame.translation - reach, frame.translation + reach])
+    }
+
+    fn bounding_sphere(&self, linear: &DMat3, _ratio: f64) -> (DVec3, f64) {
+        (DVec3::ZERO, longest_axis(linear))
+    }
+
+    fn hull(&self, frame: &DAffine3, _ratio: f64) -> Option<(Vec<DVec3>, f64)> {
+        Some((vec![frame.translation], longest_axis(&frame.matrix3)))
+    }
+
+    fn volume(&self, _ratio: f64) -> f64 {
+        4.0 / 3.0 * PI
+    }
+
+    fn middle(&self) -> Option<DVec3> {
+        Some(DVec3::ZERO)
+    }
+
+    fn flatness(&self, axes: DVec3) -> f64 {
+        axes.max_element() / axes.min_element()
+    }
+
+    fn distance(&self, _ratio: f64, axes: DVec3, at: DVec3) -> f64 {
+        to_ellipsoid(at, axes).abs()
+    }
+
+    fn picture_place(&self, _ratio: f32, [x, y, z]: [f32; 3]) -> PicturePlace {
+        PicturePlace::around([x, y, z], 0.5 - y.atan2((x * x + z * z).sqrt()) / std::f32::consts::PI)
+    }
+
+    /// From pole to pole in 2·`fineness` parts.
+    fn profile(&self, _ratio: f64, fineness: u32) -> Option<Vec<Vec<RevolutionRing>>> {
+        let ring = |step: u32| {
+            let quarter = f64::from(step) / f64::from(fineness);
+            // The poles exactly, as the equator.
+            let (sin, cos) = match quarter {
+                0.0 => (0.0, 1.0),
+                1.0 => (1.0, 0.0),
+                2.0 => (0.0, -1.0),
+                _ => (FRAC_PI_2 * quarter).sin_cos(),
+            };
+            RevolutionRing { y: -cos, radius: sin, normal: DVec2::new(sin, -cos) }
+        };
+        Some(vec![(0..=2 * fineness).map(ring).collect()])
+    }
+}
+
+fn longest_axis(linear: &DMat3) -> f64 {
+    linear.x_axis.length().max(linear.y_axis.length()).max(linear.z_axis.length())
 }

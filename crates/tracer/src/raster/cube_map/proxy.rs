@@ -3,7 +3,6 @@
 use glam::{DVec3, Vec3};
 
 use crate::geometry::bounds::Bounds;
-use crate::geometry::shape::ShapeKind;
 use crate::raster::projection::vector64;
 use crate::simd::Float as _;
 use crate::simd::double::Float64;
@@ -18,19 +17,16 @@ pub(crate) fn center_of(scene: &RenderScene, index: u32) -> DVec3 {
         let rows = body.world_from_body.map(|row| DVec3::from(row.map(f64::from)));
         DVec3::from(body.origin.map(f64::from)) + DVec3::from(rows.map(|row| row.dot(point)))
     };
-    match body.canonical().kind {
-        ShapeKind::Sphere | ShapeKind::Ellipsoid | ShapeKind::Cube => to_world(DVec3::ZERO),
-        ShapeKind::Cylinder | ShapeKind::Cone => to_world(0.5 * DVec3::Y),
-        ShapeKind::Plane => {
-            let all = extent(scene, None);
-            let (point, normal) = (to_world(DVec3::ZERO), plane_normal(scene, index));
-            if all == Bounds::EMPTY {
-                return point;
-            }
-            let middle = (0.5 * (all.min + all.max)).as_dvec3();
-            middle - normal * (middle - point).dot(normal)
-        }
+    if let Some(middle) = body.canonical().kind.solid().middle() {
+        return to_world(middle);
     }
+    let all = extent(scene, None);
+    let (point, normal) = (to_world(DVec3::ZERO), plane_normal(scene, index));
+    if all == Bounds::EMPTY {
+        return point;
+    }
+    let middle = (0.5 * (all.min + all.max)).as_dvec3();
+    middle - normal * (middle - point).dot(normal)
 }
 
 /// The box of all bounded bodies but one.

@@ -5,8 +5,8 @@ use std::f64::consts::FRAC_PI_2;
 use glam::{DVec2, DVec3};
 
 use crate::geometry::body::RenderBody;
+use crate::geometry::shape::solid::RevolutionRing;
 use crate::raster::mesh::Mesh;
-use crate::raster::mesh::revolution::RevolutionRing;
 use crate::transport::camera::RenderCamera;
 
 /// Which part of the plane y = 0 of a body's frame, and how fine.

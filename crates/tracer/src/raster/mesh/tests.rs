@@ -13,6 +13,7 @@ fn shapes() -> Vec<CanonicalShape> {
         of(ShapeKind::Cylinder, 1.0),
         of(ShapeKind::Cone, 0.0),
         of(ShapeKind::Cone, 0.4),
+        of(ShapeKind::Paraboloid, 0.0),
     ]
 }
 
@@ -79,5 +80,7 @@ fn faces_are_plane() {
 #[test]
 fn the_count_of_faces_is_as_documented() {
     let count = |shape: usize| mesh(shapes()[shape], 8).faces.len();
-    assert_eq!([count(0), count(1), count(2), count(3)], [16 * 32, 6 * 64, 3 * 8 * 32, 2 * 8 * 32]);
+    let known = [16 * 32, 6 * 64, 3 * 8 * 32, 2 * 8 * 32];
+    assert_eq!([count(0), count(1), count(2), count(3)], known);
+    assert_eq!(count(5), 2 * 8 * 32);
 }

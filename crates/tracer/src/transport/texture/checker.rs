@@ -1,10 +1,10 @@
 //! Checkerboards, seen from a body.
 
-use catoptric_scene::{Body, Checker, CheckerSpace, Shape};
+use catoptric_scene::{Body, Checker, CheckerSpace};
 use glam::{DAffine3, DMat3, DVec3};
 
 use crate::geometry::body::{inverse_linear, is_diagonal, mul, rows, scale_plus};
-use crate::geometry::canonical::world_from_canonical;
+use crate::geometry::canonical::CanonicalBody;
 use crate::geometry::space::RenderSpace;
 use crate::simd::vector::Vector;
 use crate::simd::{Float32, Word as _};
@@ -79,7 +79,8 @@ impl CheckerTexture {
 
 /// From where points are known to the space of the checkerboard, meters.
 fn pattern_from(of: CheckerSpace, body: &Body, space: &RenderSpace, is_double: bool) -> DAffine3 {
-    let world_from_canonical = world_from_canonical(body);
+    let canonical = CanonicalBody::of(body);
+    let world_from_canonical = canonical.world_from_canonical;
     if is_double {
         // In the body's own frame single precision is too rough; in the space of the rays it is not.
         let world_from_render = DAffine3::from_translation(space.origin);
@@ -93,10 +94,7 @@ fn pattern_from(of: CheckerSpace, body: &Body, space: &RenderSpace, is_double: b
         };
     }
     // The frame of a plane may have been moved within it.
-    let moved = match body.shape {
-        Shape::Plane => space.frame_near(body, &world_from_canonical),
-        _ => None,
-    };
+    let moved = if canonical.is_plane() { space.frame_near(&canonical) } else { None };
     let (frame, shift) = moved.unwrap_or((world_from_canonical, DVec3::ZERO));
     match of {
         CheckerSpace::World => frame,

@@ -28,7 +28,7 @@ fn close_ball() -> RenderScene {
 }
 
 /// All shapes, glossy, apart from each other, with nothing in each other's light.
-fn five_shapes(projection: Projection) -> Scene {
+fn all_shapes(projection: Projection) -> Scene {
     let material = glossy();
     let bodies = vec![
         ball(0.8, v(-3.0, 0.9, 0.0), material.clone()),
@@ -39,8 +39,9 @@ fn five_shapes(projection: Projection) -> Scene {
             Shape::Cone { radius: 0.3, top_radius: 0.6, height: 1.0 },
             v(3.6, 0.3, 0.0),
             v(-40.0, 0.0, 0.0),
-            material,
+            material.clone(),
         ),
+        turned(Shape::PARABOLOID, v(-0.2, 1.6, -0.6), v(60.0, 0.0, 10.0), material.clone()),
         body(Shape::Plane, DVec3::ZERO, chalk(0.5, 0.6, 0.5)),
     ];
     let mut camera = camera(v(0.0, 2.5, 9.0), v(0.0, 0.6, 0.0), 30.0);
@@ -80,7 +81,7 @@ fn phong_and_gouraud_converge_quadratically_and_flat_linearly() {
 fn fine_phong_is_the_traced_local_picture() {
     let parallel = Projection::Parallel { height: 5.0 };
     for projection in [Projection::Perspective { fov_degrees: 30.0 }, parallel] {
-        let render_scene = render_scene(&five_shapes(projection)).with_generations(1);
+        let render_scene = render_scene(&all_shapes(projection)).with_generations(1);
         let settings = ShadingSettings { fineness: 128, shadows: true, ..ShadingSettings::default() };
         let (truth, phong) = (
             traced(&render_scene, size(240, 160)),

@@ -214,7 +214,9 @@ fn extreme_bodies_are_prepared_without_panics() {
     let mut bodies = Vec::new();
     for size in [1e-12, 1e-6, 1.0, 1e6, 1e9] {
         for far in [0.0, 1.0, 1e9] {
-            for shape in [Shape::SPHERE, Shape::CUBE, Shape::CYLINDER, Shape::CONE, Shape::Plane] {
+            for shape in
+                [Shape::SPHERE, Shape::CUBE, Shape::CYLINDER, Shape::CONE, Shape::PARABOLOID, Shape::Plane]
+            {
                 let mut placement = catoptric_scene::Placement::at(DVec3::splat(far));
                 placement.scale = DVec3::splat(size);
                 bodies.push(placed(shape, placement, glass(1.5)));

@@ -207,7 +207,7 @@ fn flat_bodies_are_whole() {
             ..scene(vec![coin, ball(0.3, v(-0.2, 0.7, 0.0), chalk())])
         }
     };
-    for shape in [Shape::SPHERE, Shape::CONE, Shape::CYLINDER, Shape::CUBE] {
+    for shape in [Shape::SPHERE, Shape::CONE, Shape::PARABOLOID, Shape::CYLINDER, Shape::CUBE] {
         for axis in [DVec3::X, DVec3::Y, DVec3::Z] {
             let thin = |thickness: f64| scene_of(shape, DVec3::ONE - axis * (1.0 - thickness));
             let reference = drawn(&thin(1e-5));

@@ -47,19 +47,7 @@ fn scaled(scene: &Scene, factor: f64) -> Scene {
     }
     for body in &mut scene.bodies {
         *anchor(body).0 *= factor;
-        body.shape = match body.shape {
-            Shape::Sphere { radius } => Shape::Sphere { radius: radius * factor },
-            Shape::Cube { size } => Shape::Cube { size: size * factor },
-            Shape::Cylinder { radius, height } => {
-                Shape::Cylinder { radius: radius * factor, height: height * factor }
-            }
-            Shape::Cone { radius, top_radius, height } => Shape::Cone {
-                radius: radius * factor,
-                top_radius: top_radius * factor,
-                height: height * factor,
-            },
-            Shape::Plane => Shape::Plane,
-        };
+        body.shape = body.shape.scaled(factor);
         if let MaterialChoice::Inline(material) = &mut body.material
             && let Some(checker) = material.pattern_mut().and_then(|pattern| pattern.checker.as_mut())
         {

@@ -177,6 +177,7 @@ fn furnace(material: &Material) -> Scene {
     let shapes = [
         (Shape::SPHERE, -3.0),
         (Shape::CUBE, -0.9),
+        (Shape::PARABOLOID, -1.8),
         (Shape::Cylinder { radius: 0.5, height: 1.4 }, 0.9),
         (Shape::Cone { radius: 0.7, top_radius: 0.2, height: 1.3 }, 2.6),
     ];

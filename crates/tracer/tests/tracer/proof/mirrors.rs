@@ -29,6 +29,7 @@ fn any_shape() -> impl Strategy<Value = Shape> {
         Just(Shape::CUBE),
         Just(Shape::CYLINDER),
         Just(Shape::CONE),
+        Just(Shape::PARABOLOID),
         Just(Shape::Cone { radius: 0.5, top_radius: 0.3, height: 1.0 }),
         Just(Shape::Plane),
     ]

@@ -1,8 +1,8 @@
 //! Random scenes of everything against the oracle.
 
 use catoptric_scene::{
-    Anchor, Body, Checker, Color, Falloff, Material, Pattern, Phong, Placement, Projection, Scene, Shape,
-    Tracing,
+    Anchor, Body, Checker, Color, Falloff, Material, ParaboloidDepth, Pattern, Phong, Placement, Projection,
+    Scene, Shape, Tracing,
 };
 use glam::DVec3;
 use proptest::prelude::*;
@@ -63,6 +63,10 @@ pub(crate) fn body() -> impl Strategy<Value = Body> {
             radius,
             top_radius,
             height
+        }),
+        (0.2..0.8_f64, 0.3..1.4_f64).prop_map(|(radius, height)| Shape::Paraboloid {
+            radius,
+            depth: ParaboloidDepth::Height(height)
         }),
     ];
     let place = (-2.0..2.0_f64, 0.1..2.0_f64, -2.0..2.0_f64).prop_map(DVec3::from);

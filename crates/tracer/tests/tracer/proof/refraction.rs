@@ -251,7 +251,7 @@ proptest! {
     #[test]
     fn a_reversed_ray_through_glass_retraces(
         shape in prop_oneof![
-            Just(Shape::SPHERE), Just(Shape::CUBE), Just(Shape::CYLINDER), Just(Shape::CONE),
+            Just(Shape::SPHERE), Just(Shape::CUBE), Just(Shape::CYLINDER), Just(Shape::CONE), Just(Shape::PARABOLOID),
             Just(Shape::Cone { radius: 0.5, top_radius: 0.3, height: 1.0 }),
         ],
         turn in prop::array::uniform3(-180.0..180.0_f64), ior in 1.05..2.5_f64,

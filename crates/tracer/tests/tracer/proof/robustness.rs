@@ -19,6 +19,7 @@ fn shape() -> impl Strategy<Value = Shape> {
         Just(Shape::CUBE),
         Just(Shape::CYLINDER),
         Just(Shape::CONE),
+        Just(Shape::PARABOLOID),
         Just(Shape::Cone { radius: 0.5, top_radius: 0.2, height: 1.0 }),
         Just(Shape::Cone { radius: 0.3, top_radius: 0.6, height: 1.0 }),
     ]
@@ -131,7 +132,7 @@ proptest! {
 
 #[test]
 fn rays_that_are_not_finite_meet_nothing() {
-    let shapes = [Shape::SPHERE, Shape::CUBE, Shape::CYLINDER, Shape::CONE, Shape::Plane];
+    let shapes = [Shape::SPHERE, Shape::CUBE, Shape::CYLINDER, Shape::CONE, Shape::PARABOLOID, Shape::Plane];
     let few: Vec<Body> =
         shapes.map(|shape| turned(shape, DVec3::ZERO, v(10.0, 20.0, 30.0), glass(1.5))).to_vec();
     let many: Vec<Body> = (0..20).flat_map(|_| few.clone()).collect();
@@ -167,7 +168,7 @@ fn outliers(picture: &catoptric_picture::Picture) -> usize {
 /// Lit shapes squashed or stretched to 1:1000, as the oracle sees them.
 #[test]
 fn sheets_and_needles_show_neither_acne_nor_leaks() {
-    for shape in [Shape::SPHERE, Shape::CUBE, Shape::CYLINDER, Shape::CONE] {
+    for shape in [Shape::SPHERE, Shape::CUBE, Shape::CYLINDER, Shape::CONE, Shape::PARABOLOID] {
         for scale in [v(2.0, 0.002, 2.0), v(0.002, 2.0, 0.002), v(2.0, 2.0, 0.002)] {
             for material in [chalk(), glass(1.5)] {
                 let rotation_degrees = v(25.0, 40.0, 15.0);
@@ -190,7 +191,7 @@ fn sheets_and_needles_show_neither_acne_nor_leaks() {
 
 #[test]
 fn a_body_seen_from_10_000_sizes_away_is_whole() {
-    for shape in [Shape::SPHERE, Shape::CUBE, Shape::CYLINDER, Shape::CONE] {
+    for shape in [Shape::SPHERE, Shape::CUBE, Shape::CYLINDER, Shape::CONE, Shape::PARABOLOID] {
         let mut scene = scene(vec![turned(shape, DVec3::ZERO, v(20.0, 30.0, 10.0), chalk())]);
         let from = 1e4 * v(0.48, 0.6, 0.64);
         scene.camera = camera(from, DVec3::ZERO, 0.012);

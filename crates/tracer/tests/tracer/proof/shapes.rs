@@ -1,6 +1,6 @@
 //! The canonical shapes against textbook formulas in double precision.
 
-use catoptric_scene::Shape;
+use catoptric_scene::{ParaboloidDepth, Shape};
 use catoptric_tracer::shape::{CanonicalShape, FaceId, LOWER_CAP, SIDE, ShapeKind, ShapeSpan, UPPER_CAP};
 use glam::{DVec3, Vec3};
 use proptest::prelude::*;
@@ -17,6 +17,7 @@ fn bounded() -> impl Strategy<Value = CanonicalShape> {
         Just(CanonicalShape { kind: ShapeKind::Cylinder, cone_ratio: 1.0 }),
         prop_oneof![Just(0.0_f32), Just(1.0), Just(0.5), 0.0_f32..3.0]
             .prop_map(|cone_ratio| CanonicalShape { kind: ShapeKind::Cone, cone_ratio }),
+        Just(PARABOLOID),
     ]
 }
 
@@ -29,6 +30,7 @@ fn textbook_shape(canonical: &CanonicalShape) -> Shape {
         ShapeKind::Cone => {
             Shape::Cone { radius: 1.0, top_radius: f64::from(canonical.cone_ratio), height: 1.0 }
         }
+        ShapeKind::Paraboloid => Shape::Paraboloid { radius: 1.0, depth: ParaboloidDepth::Height(1.0) },
         ShapeKind::Plane => Shape::Plane,
     }
 }
@@ -37,6 +39,7 @@ fn textbook_shape(canonical: &CanonicalShape) -> Shape {
 fn grown_span(canonical: &CanonicalShape, o: DVec3, d: DVec3, by: f64) -> Option<(f64, f64)> {
     let inside = match canonical.kind {
         ShapeKind::Cylinder | ShapeKind::Cone => v(0.0, 0.3, 0.0),
+        ShapeKind::Paraboloid => v(0.0, 0.5, 0.0),
         _ => DVec3::ZERO,
     };
     textbook::span(&textbook_shape(canonical), inside + (o - inside) / (1.0 + by), d / (1.0 + by))
@@ -46,6 +49,7 @@ fn grown_span(canonical: &CanonicalShape, o: DVec3, d: DVec3, by: f64) -> Option
 fn distance_inside(canonical: &CanonicalShape) -> f64 {
     match canonical.kind {
         ShapeKind::Cylinder | ShapeKind::Cone => 0.3,
+        ShapeKind::Paraboloid => 0.5,
         _ => 1.0,
     }
 }
@@ -220,6 +224,7 @@ const CUBE: CanonicalShape = CanonicalShape { kind: ShapeKind::Cube, cone_ratio:
 const CYLINDER: CanonicalShape = CanonicalShape { kind: ShapeKind::Cylinder, cone_ratio: 1.0 };
 const CONE: CanonicalShape = CanonicalShape { kind: ShapeKind::Cone, cone_ratio: 0.0 };
 const FRUSTUM: CanonicalShape = CanonicalShape { kind: ShapeKind::Cone, cone_ratio: 0.5 };
+const PARABOLOID: CanonicalShape = CanonicalShape { kind: ShapeKind::Paraboloid, cone_ratio: 0.0 };
 const PLANE: CanonicalShape = CanonicalShape { kind: ShapeKind::Plane, cone_ratio: 0.0 };
 
 #[track_caller]
@@ -241,6 +246,9 @@ fn tangents_touch_in_one_point() {
     let (enter, exit) = ends(&CONE, [-2.0, 0.5, 0.5], [1.0, 0.0, 0.0]);
     assert_eq!((enter, exit), (2.0, 2.0));
     let above = 1.0 + 2.0 * f32::EPSILON;
+    // The vertex.
+    assert_eq!(ends(&PARABOLOID, [-2.0, 0.0, 0.0], [1.0, 0.0, 0.0]), (2.0, 2.0));
+    assert!(misses(&PARABOLOID, [-2.0, -1e-6, 0.0], [1.0, 0.0, 0.0]));
     assert!(misses(&SPHERE, [-2.0, above, 0.0], [1.0, 0.0, 0.0]));
     assert!(misses(&CYLINDER, [-2.0, 0.5, above], [1.0, 0.0, 0.0]));
 }
@@ -252,6 +260,9 @@ fn rays_along_the_axis_cross_both_ends() {
     assert_eq!(ends(&CONE, [0.0, 3.0, 0.0], [0.0, -1.0, 0.0]), (2.0, 3.0));
     assert_eq!(ends(&CONE, [0.25, 3.0, 0.0], [0.0, -1.0, 0.0]), (2.25, 3.0));
     assert_eq!(ends(&FRUSTUM, [0.25, 3.0, 0.0], [0.0, -1.0, 0.0]), (2.0, 3.0));
+    assert_eq!(ends(&PARABOLOID, [0.5, 3.0, 0.0], [0.0, -1.0, 0.0]), (2.0, 2.75));
+    assert_eq!(ends(&PARABOLOID, [0.0, -1.0, 0.5], [0.0, 2.0, 0.0]), (0.625, 1.0));
+    assert!(misses(&PARABOLOID, [0.0, 3.0, 1.001], [0.0, -1.0, 0.0]));
     assert!(misses(&CYLINDER, [0.0, 3.0, 1.001], [0.0, -1.0, 0.0]));
     assert!(misses(&CONE, [0.0, 3.0, 1.001], [0.0, -1.0, 0.0]));
 }
@@ -263,6 +274,7 @@ fn rays_in_a_cap_or_face_run_along_it() {
     }
     assert_eq!(ends(&CONE, [-3.0, 0.0, 0.0], [1.0, 0.0, 0.0]), (2.0, 4.0));
     assert_eq!(ends(&FRUSTUM, [-3.0, 1.0, 0.0], [1.0, 0.0, 0.0]), (2.5, 3.5));
+    assert_eq!(ends(&PARABOLOID, [-3.0, 1.0, 0.0], [1.0, 0.0, 0.0]), (2.0, 4.0));
     // Of the planes of two opposite faces one belongs to the cube, so that a stack of cubes has no gap.
     for across in [0.0, -0.0] {
         for axis in 1..3 {
@@ -304,6 +316,9 @@ fn faces_have_their_names_and_normals() {
     let down = span(&FRUSTUM, Vec3::Y * 3.0, Vec3::NEG_Y);
     assert_eq!((down.enter_face, down.exit_face), (UPPER_CAP, LOWER_CAP));
     assert_eq!(span(&FRUSTUM, Vec3::new(3.0, 0.5, 0.0), Vec3::NEG_X).enter_face, SIDE);
+    let down = span(&PARABOLOID, Vec3::Y * 3.0, Vec3::NEG_Y);
+    assert_eq!((down.enter_face, down.exit_face), (UPPER_CAP, SIDE));
+    assert_eq!(normal(&PARABOLOID, SIDE, Vec3::ZERO), Vec3::NEG_Y);
     for axis in [Vec3::X, Vec3::Y, Vec3::Z] {
         for out in [axis, -axis] {
             let span = span(&CUBE, out * 3.0, -out);
@@ -323,7 +338,7 @@ fn a_plane_is_the_half_space_below() {
 
 #[test]
 fn the_zero_direction_hits_nothing() {
-    for shape in [SPHERE, CUBE, CYLINDER, CONE, FRUSTUM, PLANE] {
+    for shape in [SPHERE, CUBE, CYLINDER, CONE, FRUSTUM, PARABOLOID, PLANE] {
         assert!(misses(&shape, [0.0, 5.0, 0.0], [0.0; 3]), "{shape:?}");
     }
 }

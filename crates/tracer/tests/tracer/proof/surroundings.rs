@@ -109,7 +109,7 @@ fn all_turns_with_the_picture() {
 fn a_texture_of_one_color_is_that_color() {
     let color = Color::new(0.3, 0.5, 0.7);
     let pixels = image(2, 2, |_, _| color.to_array().map(|part| part as f32));
-    let shapes = [Shape::SPHERE, Shape::CUBE, Shape::CYLINDER, Shape::CONE, Shape::Plane];
+    let shapes = [Shape::SPHERE, Shape::CUBE, Shape::CYLINDER, Shape::CONE, Shape::PARABOLOID, Shape::Plane];
     for model in [Model::Phong, Model::Mirror, Model::Matte, Model::Coated] {
         let of_pattern = |pattern: Pattern| {
             let mut material = Material::from(model);

@@ -54,6 +54,9 @@ impl Placed<'_> {
             Shape::Cone { radius: r, top_radius: s, height } => {
                 std::f64::consts::PI / 3.0 * height * (r * r + r * s + s * s)
             }
+            Shape::Paraboloid { radius, depth } => {
+                0.5 * std::f64::consts::PI * radius * radius * depth.height(radius)
+            }
             Shape::Plane => f64::INFINITY,
         };
         own * self.world_from_body.determinant().abs()

@@ -2,7 +2,7 @@
 //! every candidate checked against the shape's extent. Slow and plain, and independent of the tracer.
 
 use catoptric_scene::Shape;
-use glam::DVec3;
+use glam::{DVec3, dvec3};
 
 /// A crossing: the line's parameter and the outward unit normal.
 pub(crate) type Crossing = (f64, DVec3);
@@ -18,6 +18,7 @@ pub(crate) fn crossings(shape: &Shape, o: DVec3, d: DVec3) -> Vec<Crossing> {
         Shape::Cube { size } => cube(0.5 * size, o, d),
         Shape::Cylinder { radius, height } => frustum(radius, radius, height, o, d),
         Shape::Cone { radius, top_radius, height } => frustum(radius, top_radius, height, o, d),
+        Shape::Paraboloid { radius, depth } => paraboloid(radius, depth.height(radius), o, d),
         Shape::Plane if d.y == 0.0 => Vec::new(),
         Shape::Plane => vec![(-o.y / d.y, DVec3::Y)],
     };
@@ -42,6 +43,12 @@ pub(crate) fn implicit(shape: &Shape, p: DVec3) -> f64 {
         Shape::Cube { size } => (p.abs() - 0.5 * size).max_element(),
         Shape::Cylinder { radius, height } => frustum_implicit(radius, radius, height, p),
         Shape::Cone { radius, top_radius, height } => frustum_implicit(radius, top_radius, height, p),
+        Shape::Paraboloid { radius, depth } => {
+            let height = depth.height(radius);
+            let level = (p.x * p.x + p.z * p.z) / (radius * radius) - p.y / height;
+            let slope = dvec3(2.0 * p.x, 0.0, 2.0 * p.z) / (radius * radius) - DVec3::Y / height;
+            (level / slope.length()).max(p.y - height)
+        }
         Shape::Plane => p.y,
     }
 }
@@ -105,6 +112,29 @@ fn frustum(base: f64, top: f64, height: f64, o: DVec3, d: DVec3) -> Vec<Crossing
         if t.is_finite() && at.x.hypot(at.z) <= radius + edge {
             all.push((t, normal));
         }
+    }
+    all
+}
+
+fn paraboloid(radius: f64, height: f64, o: DVec3, d: DVec3) -> Vec<Crossing> {
+    let edge = edge(o);
+    let (across, along) = (1.0 / (radius * radius), 1.0 / height);
+    let roots = quadratic(
+        across * (d.x * d.x + d.z * d.z),
+        2.0 * across * (o.x * d.x + o.z * d.z) - along * d.y,
+        across * (o.x * o.x + o.z * o.z) - along * o.y,
+    );
+    let mut all = Vec::new();
+    for t in roots {
+        let at = o + t * d;
+        if at.y <= height + edge {
+            all.push((t, dvec3(2.0 * across * at.x, -along, 2.0 * across * at.z).normalize()));
+        }
+    }
+    let t = (height - o.y) / d.y;
+    let at = o + t * d;
+    if t.is_finite() && at.x.hypot(at.z) <= radius + edge {
+        all.push((t, DVec3::Y));
     }
     all
 }

@@ -1,0 +1,27 @@
+//! The messages that name shapes.
+
+use catoptric_scene::ShapeKind;
+
+/// The message that names a body of a shape.
+pub(crate) const fn shape_name(shape: ShapeKind) -> &'static str {
+    match shape {
+        ShapeKind::Sphere => "name-sphere",
+        ShapeKind::Cube => "name-cube",
+        ShapeKind::Cylinder => "name-cylinder",
+        ShapeKind::Cone => "name-cone",
+        ShapeKind::Paraboloid => "name-paraboloid",
+        ShapeKind::Plane => "name-plane",
+    }
+}
+
+/// The message that offers a shape, with its explanation.
+pub(crate) const fn shape_choice(shape: ShapeKind) -> &'static str {
+    match shape {
+        ShapeKind::Sphere => "shape-sphere",
+        ShapeKind::Cube => "shape-cube",
+        ShapeKind::Cylinder => "shape-cylinder",
+        ShapeKind::Cone => "shape-cone",
+        ShapeKind::Paraboloid => "shape-paraboloid",
+        ShapeKind::Plane => "shape-plane",
+    }
+}
