@@ -15,6 +15,7 @@ pub use path::ScenePath;
 pub use value::SceneValue;
 
 use crate::Scene;
+use crate::format::spec::KeySpec;
 use resolve::Address;
 
 impl Scene {
@@ -78,6 +79,15 @@ impl Scene {
     /// Those of [`Self::set`]; nothing is set then.
     pub fn edit(&mut self, edits: &[SceneEdit]) -> Result<(), AddressError> {
         edit::apply(self, edits)
+    }
+
+    /// The key of the format at an address, whether it has a value or not.
+    ///
+    /// # Errors
+    /// When the address leads nowhere.
+    pub fn key(&self, path: &ScenePath) -> Result<&'static KeySpec, AddressError> {
+        let address = Address::resolve(self, path).map_err(|found| AddressError::new(path, found))?;
+        Ok(address.key)
     }
 
     /// All addresses that have a meaning in the scene as it is, with their present values: camera, environment, tracing,

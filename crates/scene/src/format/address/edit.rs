@@ -146,7 +146,7 @@ fn put(
     value: Option<&SceneValue>,
     edit: usize,
 ) -> Result<(), Box<Diagnostic>> {
-    let Some((key, tables)) = address.keys.split_last() else { return Ok(()) };
+    let Address { key, tables, .. } = address;
     let remove = |lines: &mut Vec<ElementLine>, name: &str| lines.retain(|line| !line.is_of(tables, name));
     let Some(value) = value else {
         remove(lines, key.name);
@@ -174,7 +174,7 @@ fn put(
             }
         }
     }
-    let keys = address.keys.iter().map(|key| key.name).collect();
+    let keys = tables.iter().chain([key]).map(|key| key.name).collect();
     lines.push(ElementLine { keys, value, edit: Some(edit) });
     Ok(())
 }

@@ -27,10 +27,12 @@ type Refused = Box<Diagnostic>;
 #[derive(Debug)]
 pub(super) struct Address {
     pub(super) part: ScenePart,
-    /// The keys from the table of the part on, at least one; all but the last are tables.
-    pub(super) keys: Vec<&'static KeySpec>,
-    /// The table of the last key.
+    /// The keys of tables that lead from the part to the table of the key.
+    pub(super) tables: Vec<&'static KeySpec>,
+    /// The table of the key.
     pub(super) table: &'static TableSpec,
+    /// The key itself.
+    pub(super) key: &'static KeySpec,
     /// The number of a vector or color that is meant.
     pub(super) component: Option<usize>,
 }
@@ -41,22 +43,22 @@ impl Address {
         let Some(first) = rest.next() else { return Err(refused(Message::PathIs).into()) };
         let root = find(&keys::ROOT, first)?;
         let (part, mut table) = part(scene, root, &mut rest)?;
-        let mut keys: Vec<&'static KeySpec> = Vec::new();
+        let mut tables: Vec<&'static KeySpec> = Vec::new();
         while let Some(segment) = rest.next() {
             let key = find(table, segment)?;
-            keys.push(key);
             match key.kind {
                 Kind::Table(inner) | Kind::NameOrTable(inner) if !rest.as_slice().is_empty() => {
                     if let Kind::NameOrTable(_) = key.kind {
                         check_is_own(scene, &part)?;
                     }
                     table = inner;
+                    tables.push(key);
                 }
                 _ => {
                     let component = rest.next().map(|segment| component(key, segment)).transpose()?;
                     return match rest.next() {
                         Some(more) => Err(no_part(key, more)),
-                        None => Ok(Self { part, keys, table, component }),
+                        None => Ok(Self { part, tables, table, key, component }),
                     };
                 }
             }
@@ -67,15 +69,14 @@ impl Address {
 
     /// The value there.
     pub(super) fn value(&self, scene: &Scene) -> Result<SceneValue, Refused> {
-        let Some(key) = self.keys.last() else { return Err(refused(Message::PathIs).into()) };
+        let key = self.key;
         if let Kind::Table(table) = key.kind {
             return Err(is_table(quoted(key.name), table));
         }
         let record = record(scene, &self.part);
         let Some(record) = record.as_ref().and_then(|record| self.inner(record)) else {
             // Only a table that is absent has no record.
-            let missing = self.keys.iter().rev().nth(1).unwrap_or(key);
-            return Err(absent(missing));
+            return Err(absent(self.tables.last().unwrap_or(&key)));
         };
         let value = match record.get(key.name) {
             Some(Datum::Table(_)) => return Err(refused(Message::MaterialIsOwn).into()),
@@ -94,8 +95,7 @@ impl Address {
 
     /// The record of the table of the last key.
     fn inner<'a, 'r>(&self, record: &'a Record<'r>) -> Option<&'a Record<'r>> {
-        let (_, tables) = self.keys.split_last()?;
-        tables.iter().try_fold(record, |record, key| match record.get(key.name) {
+        self.tables.iter().try_fold(record, |record, key| match record.get(key.name) {
             Some(Datum::Table(inner)) => Some(inner),
             _ => None,
         })

@@ -319,6 +319,32 @@ impl Phrase for KeyMeaning {
     }
 }
 
+impl KeySpec {
+    /// What the key means, in which unit, and which values it can have.
+    ///
+    /// ```
+    /// use catoptric_scene::{Language, format::keys};
+    /// let fov = keys::CAMERA.key("fov").unwrap();
+    /// assert_eq!(fov.meaning(Language::English), "`fov` is the vertical angle of view, degrees (0.001 to 179.9)");
+    /// ```
+    pub fn meaning(&'static self, language: Language) -> String {
+        let text = KeyMeaning { key: self, has_range: true }.phrase(language).into_owned();
+        match self.kind {
+            Kind::Choice(words) => format!("{text}: {}", Enumeration::of_values(words).phrase(language)),
+            _ => text,
+        }
+    }
+
+    /// The unit of its numbers; `None` for what has none.
+    pub fn unit(&self, language: Language) -> Option<&'static str> {
+        let is_in = |unit: &str| self.doc.split([',', ';']).any(|part| part.trim() == unit);
+        [("meters", "метры"), ("degrees", "градусы")]
+            .into_iter()
+            .find(|(unit, _)| is_in(unit))
+            .map(|(english, russian)| language.pick(english, russian))
+    }
+}
+
 /// Things of a scene that have names of their own: the plural in English, in Russian the form after "два".
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Collection {
