@@ -78,9 +78,9 @@ fn the_addresses_of_a_scene_are_listed() {
     let output = folder.good("check one.toml --keys --set camera.fov=30");
     assert!(output.starts_with("camera.position = [0, 2.2, 8]"), "{output}");
     for line in [
-        "camera.fov = 30                         # `fov` is the vertical angle of view, degrees (0.001 to 179.9)\n",
-        "environment.picture =                   # `picture` is a picture of everything around in the place of the background\n",
-        "lights.0.falloff = \"none\"               # `falloff` is how the light weakens",
+        "camera.fov = 30                         # the vertical angle of view, degrees (0.001 to 179.9)\n",
+        "environment.picture =                   # a picture of everything around in the place of the background\n",
+        "lights.0.falloff = \"none\"               # how the light weakens",
         "1/d²: \"none\", \"linear\" or \"inverse-square\"\n",
     ] {
         assert!(output.contains(line), "{line}\n{output}");

@@ -307,6 +307,32 @@ fn the_keys_of_a_scene_are_those_that_can_be_set() {
     }
 }
 
+#[test]
+fn a_key_knows_its_unit_and_what_it_can_be() {
+    let scene = scene();
+    for (at, unit) in [
+        ("bodies.ball.radius", Some("meters")),
+        ("bodies.ball.position", Some("meters")),
+        ("camera.fov", Some("degrees")),
+        ("lights.1.falloff_constant", Some("meters")),
+        ("lights.sun.radius", Some("meters")),
+        ("bodies.ball.scale", None),
+        ("lights.sun.intensity", None),
+    ] {
+        assert_eq!(scene.key(&path(at)).unwrap().unit(Language::English), unit, "{at}");
+    }
+    let key = |at: &str| scene.key(&path(at)).unwrap();
+    assert_eq!(key("bodies.rod.rotation").unit(Language::Russian), Some("градусы"));
+    assert_eq!(
+        key("bodies.ball.shape").meaning(Language::English),
+        "the shape of the body: \"sphere\", \"cube\", \"cylinder\", \"cone\" or \"plane\""
+    );
+    assert_eq!(
+        key("camera.position.x").meaning(Language::Russian),
+        "точка наблюдения, метры (от -1e9 до 1e9)"
+    );
+}
+
 /// Random numbers by S. Vigna's splitmix64.
 struct Random(u64);
 

@@ -302,20 +302,9 @@ pub(crate) struct KeyMeaning {
 
 impl Phrase for KeyMeaning {
     fn phrase(&self, language: Language) -> Cow<'_, str> {
-        let name = self.key.name;
-        let mut text = match language {
-            Language::English => format!("`{name}` is {}", self.key.doc),
-            Language::Russian => format!("`{name}` — {}", russian::doc(self.key)),
-        };
-        if let Some(limits) = self.key.limits().filter(|_| self.has_range) {
-            let (min, max) = (Number::from(limits.min), Number::from(limits.max));
-            let (min, max) = (min.phrase(language), max.phrase(language));
-            text.push_str(&match language {
-                Language::English => format!(" ({min} to {max})"),
-                Language::Russian => format!(" (от {min} до {max})"),
-            });
-        }
-        text.into()
+        let is = language.pick("is", "—");
+        let (doc, range) = (self.key.words(language), self.key.range(language).filter(|_| self.has_range));
+        format!("`{}` {is} {doc}{}", self.key.name, range.unwrap_or_default()).into()
     }
 }
 
@@ -325,14 +314,33 @@ impl KeySpec {
     /// ```
     /// use catoptric_scene::{Language, format::keys};
     /// let fov = keys::CAMERA.key("fov").unwrap();
-    /// assert_eq!(fov.meaning(Language::English), "`fov` is the vertical angle of view, degrees (0.001 to 179.9)");
+    /// assert_eq!(fov.meaning(Language::English), "the vertical angle of view, degrees (0.001 to 179.9)");
     /// ```
-    pub fn meaning(&'static self, language: Language) -> String {
-        let text = KeyMeaning { key: self, has_range: true }.phrase(language).into_owned();
+    pub fn meaning(&self, language: Language) -> String {
+        let text = format!("{}{}", self.words(language), self.range(language).unwrap_or_default());
         match self.kind {
             Kind::Choice(words) => format!("{text}: {}", Enumeration::of_values(words).phrase(language)),
             _ => text,
         }
+    }
+
+    /// What the key means and in which unit.
+    fn words(&self, language: Language) -> &'static str {
+        match language {
+            Language::English => self.doc,
+            Language::Russian => russian::doc(self),
+        }
+    }
+
+    /// The range of its numbers, in parentheses behind a space.
+    fn range(&self, language: Language) -> Option<String> {
+        let limits = self.limits()?;
+        let (min, max) = (Number::from(limits.min), Number::from(limits.max));
+        let (min, max) = (min.phrase(language), max.phrase(language));
+        Some(match language {
+            Language::English => format!(" ({min} to {max})"),
+            Language::Russian => format!(" (от {min} до {max})"),
+        })
     }
 
     /// The unit of its numbers; `None` for what has none.
