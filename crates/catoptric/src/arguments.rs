@@ -11,7 +11,7 @@ use catoptric_lab::maps::MapKind;
 use catoptric_lab::measure::MeasurePlan;
 use catoptric_lab::report::Language;
 use catoptric_picture::{Picture, PictureFormat, ToneCurve};
-use catoptric_scene::Tracing;
+use catoptric_scene::{SceneEdit, Tracing};
 use catoptric_tracer::RenderSettings;
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand, ValueEnum, value_parser};
@@ -64,6 +64,15 @@ pub(crate) enum Command {
     Help(HelpArguments),
 }
 
+/// Values instead of those of the scene file.
+#[derive(Debug, Args)]
+pub(crate) struct SetArguments {
+    /// Set a value of the scene, such as bodies.ball.radius=0.5 or camera.position.y=2; nothing after the = takes it away;
+    /// pictures are found from the current directory; may be given again (`check --keys` lists the addresses)
+    #[arg(long = "set", value_name = "PATH=VALUE")]
+    pub edits: Vec<SceneEdit>,
+}
+
 /// How linear light becomes what a display shows.
 #[derive(Debug, Args)]
 pub(crate) struct DevelopmentArguments {
@@ -113,6 +122,8 @@ pub(crate) struct RenderArguments {
     /// Generations of rays, 1 to 64, instead of the scene's
     #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..=i64::from(Tracing::MAX_GENERATIONS)))]
     pub generations: Option<u32>,
+    #[command(flatten)]
+    pub set: SetArguments,
     /// Show a map over the picture instead of the picture itself
     #[arg(long, value_name = "NAME", value_parser = maps(), conflicts_with = "stats")]
     pub map: Option<MapKind>,
@@ -137,6 +148,11 @@ pub(crate) struct CheckArguments {
     /// Scene files, or names of built-in scenes
     #[arg(required = true)]
     pub scenes: Vec<PathBuf>,
+    #[command(flatten)]
+    pub set: SetArguments,
+    /// List the addresses of all values, what stands there, what it means and its limits
+    #[arg(long)]
+    pub keys: bool,
 }
 
 #[derive(Debug, Args)]
@@ -161,6 +177,8 @@ pub(crate) struct AuditArguments {
     /// Generations of rays, 1 to 64, instead of the scene's
     #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..=i64::from(Tracing::MAX_GENERATIONS)))]
     pub generations: Option<u32>,
+    #[command(flatten)]
+    pub set: SetArguments,
     /// Show rays up to N steps from the eye only; the sum has all
     #[arg(long, value_name = "N")]
     pub depth: Option<usize>,
@@ -219,6 +237,8 @@ pub(crate) struct CompareArguments {
     /// A scene file, or the name of a built-in scene; can be left out when only pictures are compared
     #[arg(value_name = "SCENE", required_unless_present = "pictures")]
     pub scene: Option<PathBuf>,
+    #[command(flatten)]
+    pub set: SetArguments,
     /// The ways of drawing, the first of which is the truth
     #[arg(
         long,
@@ -264,19 +284,27 @@ pub(crate) struct CompareArguments {
 
 #[derive(Debug, Args)]
 #[command(after_help = "\
-What to vary is one of bodies, generations, size, samples, threads, method, fineness, cube-map-size, search, or two of
-them separated by a comma; values follow a = sign. Ctrl-C ends the measurement and keeps what was measured.
+What to vary is one of bodies, generations, size, samples, threads, method, fineness, cube-map-size, search, or the
+address of a value of the scene such as bodies.ball.radius, or two of them separated by a comma; values follow a = sign,
+those of an address also as FROM..TO:COUNT. Ctrl-C ends the measurement and keeps what was measured.
 
 Examples:
   catoptric measure whitted --vary size
   catoptric measure whitted --vary bodies,search -o bodies --language ru
-  catoptric measure hall-of-mirrors --vary generations=1,2,4,8,16,32")]
+  catoptric measure hall-of-mirrors --vary generations=1,2,4,8,16,32
+  catoptric measure whitted --vary lights.0.intensity=0..2:9 --answers mean,pixel:160,90,flip,rays")]
 pub(crate) struct MeasureArguments {
     /// A scene file, or the name of a built-in scene
     pub scene: PathBuf,
+    #[command(flatten)]
+    pub set: SetArguments,
     /// What to vary, one parameter or two, each with its values or the usual ones
     #[arg(long, value_name = "PARAMETERS")]
     pub vary: String,
+    /// What the pictures answer beside their time: mean (light), pixel:X,Y, flip (against the first) and rays, separated by
+    /// commas
+    #[arg(long, value_name = "ANSWERS")]
+    pub answers: Option<String>,
     /// The directory for the report, the plots and the tables
     #[arg(short, long, value_name = "DIR", default_value = "study")]
     pub output: PathBuf,

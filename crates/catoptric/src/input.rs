@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use anyhow::{Result, anyhow};
-use catoptric_scene::{Example, LoadedScene, load};
+use anyhow::{Context as _, Result, anyhow, bail};
+use catoptric_scene::{Example, ImageFault, LoadedScene, Scene, SceneEdit, load};
 
 use crate::console::{color_on, say_colored};
 use crate::files::CommandFiles;
@@ -45,15 +45,38 @@ pub(crate) fn source(path: &Path) -> Result<SceneSource<'_>> {
     }
 }
 
-/// Loads the scene file at `path`, `-` being standard input, or the built-in scene of that name. The file and its
-/// pictures are added to what the command reads.
-pub(crate) fn scene(path: &Path, files: &mut CommandFiles) -> Result<NamedScene> {
-    match source(path)? {
+/// Loads the scene file at `path`, `-` being standard input, or the built-in scene of that name, and sets values of it.
+/// The file and its pictures are added to what the command reads.
+pub(crate) fn scene(path: &Path, edits: &[SceneEdit], files: &mut CommandFiles) -> Result<NamedScene> {
+    let mut scene = match source(path)? {
         SceneSource::Example(example) => {
-            Ok(NamedScene { name: example.name.to_owned(), loaded: example.load()? })
+            NamedScene { name: example.name.to_owned(), loaded: example.load()? }
         }
-        SceneSource::File(path) => file(path, files),
+        SceneSource::File(path) => file(path, files)?,
+    };
+    if !edits.is_empty() {
+        edit(&mut scene.loaded.scene, edits, files)?;
     }
+    Ok(scene)
+}
+
+/// Sets values of a scene. The paths of new pictures begin in the current directory.
+fn edit(scene: &mut Scene, edits: &[SceneEdit], files: &mut CommandFiles) -> Result<()> {
+    scene.edit(edits).map_err(|error| {
+        let option = format!("--set {}", error.path());
+        anyhow!(error).context(option)
+    })?;
+    for image in scene.images().filter(|image| image.pixels().is_none()) {
+        if let Some(file) = image.file(None) {
+            files.add_input(&file)?;
+        }
+    }
+    let Err(errors) = scene.open_images(None) else { return Ok(()) };
+    let Some(error) = errors.into_iter().next() else { return Ok(()) };
+    if let ImageFault::Missing(file) = &error.fault {
+        bail!("--set: there is no picture {}; the path begins in the current directory", file.display());
+    }
+    Err(error).context("--set")
 }
 
 /// Refuses a file that cannot be read at all, as loading it would.
@@ -65,7 +88,7 @@ pub(crate) fn check_readable(path: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Loads the scene file at `path`; see [`scene`].
+/// Loads the scene file at `path` as it is; see [`scene`].
 pub(crate) fn file(path: &Path, files: &mut CommandFiles) -> Result<NamedScene> {
     files.add_input(path)?;
     let loaded = load(path)?;

@@ -1,5 +1,6 @@
 //! The text format `catoptric/1`: TOML whose tables and keys are those of [`keys`].
 
+mod address;
 mod build;
 mod check;
 mod decimal;
@@ -22,6 +23,7 @@ mod typed;
 mod update;
 mod write;
 
+pub use address::{AddressError, SceneEdit, SceneKey, ScenePath, SceneValue};
 pub use check::{Problem, ScenePart};
 pub use diagnostic::{Diagnostic, Diagnostics, Related, Severity};
 pub(crate) use nearest::nearest;

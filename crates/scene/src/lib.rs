@@ -23,8 +23,9 @@ pub use environment::{Environment, Sky, Surroundings};
 pub use examples::Example;
 pub use file::{LoadError, LoadedScene, load, load_partly, save};
 pub use format::{
-    Diagnostic, Diagnostics, LONGEST_TEXT, ParsedScene, Problem, Related, ScenePart, Severity, Warned,
-    json_schema, read, read_bytes, update, write, write_fragment,
+    AddressError, Diagnostic, Diagnostics, LONGEST_TEXT, ParsedScene, Problem, Related, SceneEdit, SceneKey,
+    ScenePart, ScenePath, SceneValue, Severity, Warned, json_schema, read, read_bytes, update, write,
+    write_fragment,
 };
 pub use image::{Image, ImageError, ImageFault, ImageSource, UnreadableKind};
 pub use language::Language;

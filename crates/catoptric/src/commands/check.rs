@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use anyhow::Result;
-use catoptric_scene::{Diagnostics, LoadError, Scene, Severity, visible};
+use catoptric_scene::{AddressError, Diagnostics, Language, LoadError, Scene, SceneKey, Severity, visible};
 
 use super::{CommandOutcome, in_words};
 use crate::arguments::CheckArguments;
@@ -15,7 +15,7 @@ pub(crate) fn run(arguments: &CheckArguments) -> Result<CommandOutcome> {
     let color = color_on(&std::io::stdout());
     let mut outcome = CommandOutcome::Done;
     for path in &arguments.scenes {
-        let (good, report) = check(path, color)?;
+        let (good, report) = check(path, arguments, color)?;
         if !good {
             outcome = CommandOutcome::WrongInput;
         }
@@ -25,13 +25,14 @@ pub(crate) fn run(arguments: &CheckArguments) -> Result<CommandOutcome> {
 }
 
 /// Whether the scene can be used, and a report on it: its findings, notes, and a line with the verdict.
-fn check(path: &Path, color: bool) -> Result<(bool, String)> {
+fn check(path: &Path, arguments: &CheckArguments, color: bool) -> Result<(bool, String)> {
     let name = visible(&path.display().to_string()).into_owned();
-    Ok(match input::scene(path, &mut CommandFiles::default()) {
+    Ok(match input::scene(path, &arguments.set.edits, &mut CommandFiles::default()) {
         Ok(input::NamedScene { loaded, .. }) => {
             let found = findings(&loaded.warnings, &name, &loaded.text, color);
             let notes = notes::on_scene(&name, &loaded.scene);
-            (true, format!("{found}{notes}{name}: {}\n", praise(&loaded.scene, &loaded.warnings)))
+            let keys = if arguments.keys { keys(&loaded.scene) } else { String::new() };
+            (true, format!("{found}{notes}{keys}{name}: {}\n", praise(&loaded.scene, &loaded.warnings)))
         }
         // Nothing may be printed then.
         Err(error) if error.is::<OutputIsInput>() => return Err(error),
@@ -40,7 +41,10 @@ fn check(path: &Path, color: bool) -> Result<(bool, String)> {
                 let found = findings(diagnostics, &name, text, color);
                 (false, format!("{found}{name}: {}\n", blame(diagnostics)))
             }
-            _ => (false, format!("error: {}\n{name}: not read\n", visible(&in_words(&error)))),
+            _ => {
+                let verdict = if error.is::<AddressError>() { "bad, 1 error" } else { "not read" };
+                (false, format!("error: {}\n{name}: {verdict}\n", visible(&in_words(&error))))
+            }
         },
     })
 }
@@ -50,6 +54,16 @@ fn findings(diagnostics: &Diagnostics, name: &str, text: &str, color: bool) -> S
         return String::new();
     }
     format!("{}\n", diagnostics.render(name, text, color))
+}
+
+/// The addresses of all values: what stands there, and what it means.
+fn keys(scene: &Scene) -> String {
+    let line = |key: SceneKey| {
+        let value = key.value.as_ref().map(|value| format!(" {value}")).unwrap_or_default();
+        let assignment = format!("{} ={value}", key.path);
+        format!("{assignment:39} # {}\n", key.spec.meaning(Language::English))
+    };
+    scene.keys().map(line).collect()
 }
 
 fn praise(scene: &Scene, warnings: &Diagnostics) -> String {

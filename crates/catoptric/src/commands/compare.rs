@@ -26,7 +26,11 @@ const METRICS: &str = "metrics.json";
 pub(crate) fn run(arguments: &CompareArguments) -> Result<CommandOutcome> {
     Picture::check_size(arguments.size.width, arguments.size.height)?;
     let mut files = CommandFiles::default();
-    let input = arguments.scene.as_deref().map(|scene| input::scene(scene, &mut files)).transpose()?;
+    if arguments.scene.is_none() && !arguments.set.edits.is_empty() {
+        bail!("--set changes a scene, but only pictures are compared; name a scene");
+    }
+    let input = arguments.scene.as_deref();
+    let input = input.map(|scene| input::scene(scene, &arguments.set.edits, &mut files)).transpose()?;
     if let Some(input) = &input
         && !arguments.quiet
     {

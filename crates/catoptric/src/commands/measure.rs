@@ -4,7 +4,7 @@ use std::fs;
 use std::sync::Arc;
 
 use anyhow::{Context as _, Result, bail};
-use catoptric_lab::measure::{Axis, MeasureError, MeasurePlan, measure};
+use catoptric_lab::measure::{Axis, MeasureError, MeasurePlan, PictureQuestion, measure};
 use catoptric_lab::report::{MeasurementReport, study};
 use catoptric_picture::Picture;
 use catoptric_tracer::{RenderControl, RenderSettings};
@@ -25,13 +25,15 @@ pub(crate) fn run(arguments: &MeasureArguments) -> Result<CommandOutcome> {
     }
     let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     let axes = Axis::read(&arguments.vary, threads).context("--vary")?;
+    let questions = arguments.answers.as_deref().map(PictureQuestion::read).transpose();
+    let questions = questions.context("--answers")?.unwrap_or_default();
     Picture::check_size(arguments.size.width, arguments.size.height)?;
     let mut files = CommandFiles::default();
-    let input = input::scene(&arguments.scene, &mut files)?;
+    let input = input::scene(&arguments.scene, &arguments.set.edits, &mut files)?;
     if !arguments.quiet {
         input.warn();
     }
-    files.add_directory(&arguments.output, MeasurementReport::NAMES.map(str::to_owned))?;
+    files.add_directory(&arguments.output, MeasurementReport::names(&questions))?;
     // At once: what was measured must not be lost for want of a place when the sweep is interrupted.
     let is_new_directory = !arguments.output.exists();
     fs::create_dir_all(&arguments.output)
@@ -47,6 +49,7 @@ pub(crate) fn run(arguments: &MeasureArguments) -> Result<CommandOutcome> {
         },
         threads: arguments.threads.map_or(0, usize::from),
         axes,
+        questions,
         rounds: arguments.rounds,
         least_time: MeasurePlan::LEAST_TIME,
     };

@@ -34,7 +34,7 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<CommandOutcome> {
     Picture::check_size(width, height)?;
 
     let start = Instant::now();
-    let input = input::scene(&arguments.scene, &mut files)?;
+    let input = input::scene(&arguments.scene, &arguments.set.edits, &mut files)?;
     times.read = milliseconds(start);
     if !arguments.quiet {
         warn_of_scene(&input);

@@ -26,6 +26,7 @@ mod memory;
 mod methods;
 mod overwriting;
 mod render;
+mod set;
 #[cfg(unix)]
 mod streams;
 #[cfg(feature = "studio")]

@@ -1,16 +1,21 @@
 //! Runs the measurements.
 
+use std::borrow::Cow;
 use std::collections::HashMap;
 use std::time::{Duration, Instant};
 
-use catoptric_scene::Scene;
+use catoptric_picture::{CompareError, Picture};
+use catoptric_scene::format::spec::KeySpec;
+use catoptric_scene::{AddressError, ImageError, Scene, ScenePath, SceneValue};
 use catoptric_tracer::raster::{Method, MethodError, PassName, draw};
 use catoptric_tracer::{
     AcceleratorChoice, RayCounts, RenderControl, RenderScene, RenderSettings, SceneBuildError,
 };
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use super::parameter::{Axis, AxisError, Parameter, Value};
+use super::answer::PictureQuestion;
+use super::axis::{Axis, AxisError, MOST_POINTS, Variable};
+use super::parameter::{Parameter, Value};
 use crate::cloud::grown;
 use crate::machine::Machine;
 use crate::random::Random;
@@ -31,6 +36,8 @@ pub struct MeasurePlan {
     pub threads: usize,
     /// What is varied: one parameter, or two, the second of which makes a curve for each of its values.
     pub axes: Vec<Axis>,
+    /// What is asked of the picture of each point.
+    pub questions: Vec<PictureQuestion>,
     /// How often each point is measured, at least once. Eleven give the second least and the second greatest time as the
     /// interval of the median.
     pub rounds: u32,
@@ -45,7 +52,7 @@ impl MeasurePlan {
     /// The least time of a measurement, if nothing is said.
     pub const LEAST_TIME: Duration = Duration::from_millis(20);
     /// The most points.
-    pub const MOST_POINTS: usize = 10_000;
+    pub const MOST_POINTS: usize = MOST_POINTS;
 }
 
 /// The reason why nothing could be measured.
@@ -62,6 +69,37 @@ pub enum MeasureError {
         /// The method's name.
         method: String,
     },
+    /// A value of the scene cannot be set.
+    #[error("{} cannot be {value}: {source}", source.path())]
+    Setting {
+        /// What it should be.
+        value: SceneValue,
+        /// Why not.
+        source: AddressError,
+    },
+    /// A picture that a value of the scene names cannot be opened.
+    #[error(transparent)]
+    Image(ImageError),
+    /// A pixel that is asked for is not in the picture.
+    #[error(
+        "{question} is asked, but the picture has {width}x{height} pixels; columns and rows count from 0"
+    )]
+    Pixel {
+        /// What is asked.
+        question: PictureQuestion,
+        /// The picture's width.
+        width: u32,
+        /// The picture's height.
+        height: u32,
+    },
+    /// Pictures of different sizes have no difference.
+    #[error(
+        "flip compares pictures of one size; vary the size as the second parameter, or ask for something else"
+    )]
+    Sizes,
+    /// Pictures cannot be compared.
+    #[error(transparent)]
+    Compare(#[from] CompareError),
     /// Too many points.
     #[error("{0} points are too many to measure: at most {most}", most = MeasurePlan::MOST_POINTS)]
     Points(usize),
@@ -114,6 +152,8 @@ pub struct MeasuredPoint {
     pub method: String,
     /// The rays of one picture: the same in every run.
     pub rays: RayCounts,
+    /// What the picture answers to each question, as many numbers as its columns.
+    pub answers: Vec<Vec<f64>>,
     /// How often the picture is drawn for one measurement.
     pub repeats: u32,
     /// The measurements, round by round; the warm-up is none of them.
@@ -142,6 +182,10 @@ pub struct Measurement {
     pub name: String,
     /// What was varied.
     pub axes: Vec<Axis>,
+    /// The key of the format behind each axis, where that varies a value of the scene.
+    pub keys: Vec<Option<&'static KeySpec>>,
+    /// What was asked of each picture.
+    pub questions: Vec<PictureQuestion>,
     /// The points; those of the first axis are next to each other.
     pub points: Vec<MeasuredPoint>,
     /// How many rounds were asked for.
@@ -150,6 +194,17 @@ pub struct Measurement {
     pub complete: bool,
     /// Where it was measured.
     pub machine: Machine,
+}
+
+impl MeasurePlan {
+    /// The key of the format behind each axis, where that varies a value of the scene.
+    pub fn keys(&self) -> Vec<Option<&'static KeySpec>> {
+        let key = |axis: &Axis| match &axis.variable {
+            Variable::Parameter(_) => None,
+            Variable::Setting(path) => self.scene.key(path).ok(),
+        };
+        self.axes.iter().map(key).collect()
+    }
 }
 
 /// Measures what `plan` says.
@@ -169,6 +224,7 @@ pub fn measure(
     watch: &mut dyn FnMut(&SweepProgress<'_>),
 ) -> Result<Measurement, MeasureError> {
     let works = works(plan)?;
+    check_questions(plan, &works)?;
     let rounds = plan.rounds.max(1);
     let mut sweep = Sweep {
         plan,
@@ -176,6 +232,7 @@ pub fn measure(
         pools: HashMap::new(),
         points: Vec::new(),
         costs: Vec::new(),
+        first: None,
         total: works.len() * (rounds as usize + 1),
         done: 0,
         start: Instant::now(),
@@ -194,6 +251,8 @@ pub fn measure(
     Ok(Measurement {
         name: plan.name.clone(),
         axes: plan.axes.clone(),
+        keys: plan.keys(),
+        questions: plan.questions.clone(),
         points: sweep.points,
         rounds,
         complete,
@@ -204,11 +263,32 @@ pub fn measure(
 /// The settings that a point is drawn with.
 struct PointSetup {
     values: Vec<Value>,
+    /// Values of the scene.
+    scene_values: Vec<(ScenePath, SceneValue)>,
     bodies: Option<usize>,
     variant: Variant,
     settings: RenderSettings,
     threads: usize,
     search: AcceleratorChoice,
+}
+
+/// Refuses questions that no picture of the plan can answer.
+fn check_questions(plan: &MeasurePlan, works: &[PointSetup]) -> Result<(), MeasureError> {
+    for &question in &plan.questions {
+        for work in works {
+            let RenderSettings { width, height, .. } = work.settings;
+            if let PictureQuestion::Pixel([x, y]) = question
+                && (x >= width || y >= height)
+            {
+                return Err(MeasureError::Pixel { question, width, height });
+            }
+        }
+        let is_varied = plan.axes.first().is_some_and(|axis| axis.variable == Parameter::Size.into());
+        if question == PictureQuestion::Flip && is_varied {
+            return Err(MeasureError::Sizes);
+        }
+    }
+    Ok(())
 }
 
 /// All combinations of values.
@@ -219,7 +299,7 @@ fn works(plan: &MeasurePlan) -> Result<Vec<PointSetup>, MeasureError> {
     if count > MeasurePlan::MOST_POINTS {
         return Err(MeasureError::Points(count));
     }
-    let mut combinations: Vec<Vec<(Parameter, Value)>> = vec![Vec::new()];
+    let mut combinations: Vec<Vec<(&Variable, Value)>> = vec![Vec::new()];
     // The last axis first, so that the values of the first are next to each other.
     for axis in plan.axes.iter().rev() {
         combinations = combinations
@@ -227,7 +307,7 @@ fn works(plan: &MeasurePlan) -> Result<Vec<PointSetup>, MeasureError> {
             .flat_map(|rest| {
                 axis.values
                     .iter()
-                    .map(move |value| [vec![(axis.parameter, value.clone())], rest.clone()].concat())
+                    .map(move |value| [vec![(&axis.variable, value.clone())], rest.clone()].concat())
             })
             .collect();
     }
@@ -235,9 +315,10 @@ fn works(plan: &MeasurePlan) -> Result<Vec<PointSetup>, MeasureError> {
 }
 
 impl PointSetup {
-    fn new(plan: &MeasurePlan, values: &[(Parameter, Value)]) -> Result<Self, MeasureError> {
+    fn new(plan: &MeasurePlan, values: &[(&Variable, Value)]) -> Result<Self, MeasureError> {
         let mut work = Self {
             values: values.iter().map(|(_, value)| value.clone()).collect(),
+            scene_values: Vec::new(),
             bodies: None,
             variant: plan.variant.clone(),
             settings: plan.settings,
@@ -245,11 +326,13 @@ impl PointSetup {
             search: AcceleratorChoice::Quickest,
         };
         // A method comes first: it brings its own settings.
-        let is_method = |(parameter, _): &&(Parameter, Value)| *parameter == Parameter::Method;
-        let (methods, others): (Vec<_>, Vec<_>) = values.iter().partition(is_method);
-        for (parameter, value) in methods.into_iter().chain(others) {
-            work.set(*parameter, value)?;
+        let method = Variable::from(Parameter::Method);
+        let (methods, others): (Vec<_>, Vec<_>) =
+            values.iter().partition(|(variable, _)| **variable == method);
+        for (variable, value) in methods.into_iter().chain(others) {
+            work.set(variable, value)?;
         }
+        work.scene(plan)?;
         work.variant.method.check().map_err(MethodError::from)?;
         if let Some(samples) = work.variant.samples {
             work.settings.samples = samples;
@@ -257,7 +340,18 @@ impl PointSetup {
         Ok(work)
     }
 
-    fn set(&mut self, parameter: Parameter, value: &Value) -> Result<(), MeasureError> {
+    fn set(&mut self, variable: &Variable, value: &Value) -> Result<(), MeasureError> {
+        let parameter = match variable {
+            Variable::Parameter(parameter) => *parameter,
+            Variable::Setting(path) => {
+                let value = match value {
+                    Value::Setting(value) => value.clone(),
+                    other => other.to_string().as_str().into(),
+                };
+                self.scene_values.push((path.clone(), value));
+                return Ok(());
+            }
+        };
         if !Axis::applies(parameter, &self.variant.method) {
             return Err(MeasureError::Meaningless { parameter, method: self.variant.name.clone() });
         }
@@ -282,12 +376,28 @@ impl PointSetup {
                     Method::Whitted | Method::Ssr(_) => {}
                 }
             }
-            (parameter, value) => {
+            (_, value) => {
                 let (value, expected) = (value.to_string(), "a value of another parameter".to_owned());
-                return Err(AxisError::Value { parameter, value, expected }.into());
+                return Err(AxisError::Value { variable: variable.clone(), value, expected }.into());
             }
         }
         Ok(())
+    }
+
+    /// The scene with the values of this point, and with as many bodies.
+    fn scene<'a>(&self, plan: &'a MeasurePlan) -> Result<Cow<'a, Scene>, MeasureError> {
+        let mut scene = Cow::Borrowed(&plan.scene);
+        for (path, value) in &self.scene_values {
+            let set = scene.to_mut().set(path, value.clone());
+            set.map_err(|source| MeasureError::Setting { value: value.clone(), source })?;
+        }
+        if let Cow::Owned(scene) = &mut scene
+            && let Err(errors) = scene.open_images(None)
+            && let Some(error) = errors.into_iter().next()
+        {
+            return Err(MeasureError::Image(error));
+        }
+        Ok(scene)
     }
 }
 
@@ -299,6 +409,8 @@ struct Sweep<'a> {
     points: Vec<MeasuredPoint>,
     /// The seconds that a measurement of each point took last, with making and preparing the scene.
     costs: Vec<f64>,
+    /// The first picture of the present curve.
+    first: Option<Picture>,
     total: usize,
     done: usize,
     start: Instant,
@@ -357,7 +469,8 @@ impl Sweep<'_> {
         let first = self.draw(work, 1)?;
         let wanted = self.plan.least_time.as_secs_f64() * 1e3 / first.run.draw.max(1e-6);
         let repeats = wanted.ceil().clamp(1.0, 1000.0) as u32;
-        let PointResult { run, rays, bodies, generations, threads } = first;
+        let PointResult { run, rays, picture, bodies, generations, threads } = first;
+        let answers = picture.map(|picture| self.answers(picture, rays)).transpose()?.unwrap_or_default();
         self.costs.push((run.prepare + run.draw * f64::from(repeats)) / 1e3);
         self.points.push(MeasuredPoint {
             values: work.values.clone(),
@@ -367,16 +480,31 @@ impl Sweep<'_> {
             threads,
             method: work.variant.name.clone(),
             rays,
+            answers,
             repeats,
             runs: Vec::new(),
         });
         Ok(())
     }
 
+    /// What the picture of the next point answers.
+    fn answers(&mut self, picture: Picture, rays: RayCounts) -> Result<Vec<Vec<f64>>, MeasureError> {
+        let along = self.plan.axes.first().map_or(1, |axis| axis.values.len().max(1));
+        let first = self.first.take().filter(|_| !self.points.len().is_multiple_of(along));
+        let questions = self.plan.questions.iter();
+        let answers: Result<Vec<Vec<f64>>, CompareError> = questions
+            .map(|question| question.answer(&picture, rays, first.as_ref().unwrap_or(&picture)))
+            .collect();
+        let answers = answers?;
+        self.first = Some(first.unwrap_or(picture));
+        Ok(answers)
+    }
+
     /// Makes the scene of a point, prepares it and draws it so many times.
     fn draw(&mut self, work: &PointSetup, repeats: u32) -> Result<PointResult, MeasureError> {
-        let grown = work.bodies.map(|bodies| grown(&self.plan.scene, bodies));
-        let scene = grown.as_ref().unwrap_or(&self.plan.scene);
+        let scene = work.scene(self.plan)?;
+        let grown = work.bodies.map(|bodies| grown(&scene, bodies));
+        let scene = grown.as_ref().unwrap_or(&scene);
         let control = self.control;
         let pool = self.pool(work.threads)?;
         let start = Instant::now();
@@ -389,15 +517,19 @@ impl Sweep<'_> {
         let mut drawn = PointResult {
             run: PointTimes { round: 0, prepare, draw: 0.0, passes: Vec::new() },
             rays: RayCounts::default(),
+            picture: None,
             bodies: render_scene.body_count(),
             generations: render_scene.generations(),
             threads: pool.current_num_threads(),
         };
         for _ in 0..repeats.max(1) {
+            // One picture at a time takes memory.
+            drawn.picture = None;
             let drawing =
                 pool.install(|| draw(&render_scene, &work.variant.method, work.settings, control))?;
             drawn.rays = drawing.counts;
             drawn.run.add(&drawing.passes, f64::from(repeats.max(1)));
+            drawn.picture = Some(drawing.picture);
         }
         Ok(drawn)
     }
@@ -419,6 +551,8 @@ impl Sweep<'_> {
 struct PointResult {
     run: PointTimes,
     rays: RayCounts,
+    /// The last picture.
+    picture: Option<Picture>,
     bodies: usize,
     generations: u32,
     threads: usize,

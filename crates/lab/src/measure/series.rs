@@ -1,5 +1,6 @@
 //! Curves: the points along the first axis for each value of the second, with the law behind them.
 
+use super::axis::Variable;
 use super::law::{Fit, GrowthLaw, best_growth, fit};
 use super::parameter::{Parameter, Value};
 use super::run::{MeasuredPoint, Measurement};
@@ -22,11 +23,11 @@ pub struct Series<'a> {
 pub fn series(measured: &Measurement) -> Vec<Series<'_>> {
     let Some(first) = measured.axes.first() else { return Vec::new() };
     let chunks = measured.points.chunks(first.values.len().max(1));
-    chunks.map(|points| Series::of(first.parameter, points)).collect()
+    chunks.map(|points| Series::of(&first.variable, points)).collect()
 }
 
 impl<'a> Series<'a> {
-    fn of(parameter: Parameter, points: &'a [MeasuredPoint]) -> Self {
+    fn of(variable: &Variable, points: &'a [MeasuredPoint]) -> Self {
         let value = points.first().and_then(|point| point.values.get(1));
         let summary = |point: &'a MeasuredPoint| {
             let times: Vec<f64> = point.runs.iter().map(|run| run.draw).collect();
@@ -42,8 +43,8 @@ impl<'a> Series<'a> {
         let rays = pairs(&|point, _| point.rays.total() as f64);
         Self {
             value,
-            law: law_of(parameter, &medians),
-            rays: (parameter == Parameter::Generations).then(|| best_growth(&rays)).flatten(),
+            law: law_of(variable, &medians),
+            rays: (*variable == Parameter::Generations.into()).then(|| best_growth(&rays)).flatten(),
             points,
         }
     }
@@ -56,12 +57,13 @@ impl MeasuredPoint {
     }
 }
 
-/// The law that is expected of a parameter.
-fn law_of(parameter: Parameter, points: &[(f64, f64)]) -> Option<Fit> {
+/// The law that is expected of a parameter; none of a value of the scene.
+fn law_of(variable: &Variable, points: &[(f64, f64)]) -> Option<Fit> {
     // Two points lie on every line.
     if points.len() < 3 {
         return None;
     }
+    let Variable::Parameter(parameter) = variable else { return None };
     match parameter {
         Parameter::Size | Parameter::Samples => fit(GrowthLaw::Linear, points),
         Parameter::Bodies => fit(GrowthLaw::Power, points),

@@ -82,6 +82,15 @@ impl Language {
         format!("{mantissa}·10{}", superscript(power))
     }
 
+    /// A number with all its places.
+    pub(crate) fn decimal(self, value: f64) -> String {
+        let places = format!("{value}").split_once('.').map_or(0, |(_, places)| places.len());
+        if value != 0.0 && !(1e-5..1e9).contains(&value.abs()) {
+            return self.significant(value, 6);
+        }
+        self.fixed(value, places)
+    }
+
     /// A count with its thousands apart.
     pub fn count(self, count: u64) -> String {
         self.fixed(count as f64, 0)
@@ -110,6 +119,15 @@ pub(crate) fn superscript(power: i32) -> String {
         other => other.to_digit(10).and_then(|digit| char::from_u32(0x2070 + digit)).unwrap_or(other),
     };
     power.to_string().chars().map(raised).collect()
+}
+
+impl From<Language> for catoptric_scene::Language {
+    fn from(language: Language) -> Self {
+        match language {
+            Language::English => Self::English,
+            Language::Russian => Self::Russian,
+        }
+    }
 }
 
 impl fmt::Display for Language {

@@ -1,5 +1,6 @@
 //! The files of a report on a measurement: data, tables, plots, and the text around them.
 
+use std::borrow::Cow;
 use std::fmt::Write as _;
 
 use catoptric_picture::{BitDepth, Development, encode_png};
@@ -10,28 +11,36 @@ use super::raster::{RasterError, rasterize};
 use super::tables::{Table, csv_line, markdown, tex};
 use super::texts::fill;
 use crate::machine::Machine;
-use crate::measure::{Fit, GrowthLaw, MeasuredPoint, Measurement, Parameter, Series, Summary, series};
+use crate::measure::{
+    Fit, GrowthLaw, MeasuredPoint, Measurement, Parameter, PictureQuestion, Series, Summary, Variable, series,
+};
 
 /// The files of a report, by name.
 #[derive(Clone, Debug)]
 pub struct MeasurementReport {
     /// Names and contents, in the order in which to name them.
-    pub files: Vec<(&'static str, Vec<u8>)>,
+    pub files: Vec<(String, Vec<u8>)>,
     /// The laws in words, a line for each curve.
     pub laws: Vec<String>,
 }
 
 impl MeasurementReport {
-    /// The names that files can have.
-    pub const NAMES: [&'static str; 8] =
-        ["runs.csv", "points.csv", "time.png", "time.svg", "rays.png", "rays.svg", "report.md", "report.tex"];
+    /// The names that files can have, if these questions are asked.
+    pub fn names(questions: &[PictureQuestion]) -> Vec<String> {
+        let plots = ["time".to_owned(), "rays".to_owned()];
+        let plots = plots.into_iter().chain(questions.iter().map(PictureQuestion::file_stem));
+        let plots = plots.flat_map(|stem| [format!("{stem}.png"), format!("{stem}.svg")]);
+        let others = ["runs.csv", "points.csv", "report.md", "report.tex"].map(str::to_owned);
+        others.into_iter().chain(plots).collect()
+    }
 }
 
 /// Pixels for each unit of a plot's size.
 const SHARPNESS: f32 = 2.0;
 
-/// Makes the files: `runs.csv` (every measurement), `points.csv` (their summaries), `time.svg` and `time.png`, for
-/// generations `rays.svg` and `rays.png` too, `report.md` and `report.tex`.
+/// Makes the files: `runs.csv` (every measurement), `points.csv` (their summaries, with what the pictures answer),
+/// `time.svg` and `time.png`, two more for each question, for generations `rays.svg` and `rays.png` in any case,
+/// `report.md` and `report.tex`.
 ///
 /// The CSV files are the same in every language: decimal points and English heads.
 ///
@@ -40,19 +49,16 @@ const SHARPNESS: f32 = 2.0;
 pub fn study(measured: &Measurement, language: Language) -> Result<MeasurementReport, RasterError> {
     let chapter = ReportWriter { measured, curves: series(measured), language };
     let mut files = vec![
-        ("runs.csv", runs_csv(measured).into_bytes()),
-        ("points.csv", points_csv(&chapter.curves, measured).into_bytes()),
+        ("runs.csv".to_owned(), runs_csv(measured).into_bytes()),
+        ("points.csv".to_owned(), points_csv(&chapter.curves, measured).into_bytes()),
     ];
-    let time = chapter.time_plot().svg();
-    files.push(("time.png", png(&time)?));
-    files.push(("time.svg", time.into_bytes()));
-    if let Some(plot) = chapter.rays_plot() {
-        let rays = plot.svg();
-        files.push(("rays.png", png(&rays)?));
-        files.push(("rays.svg", rays.into_bytes()));
+    for figure in chapter.figures() {
+        let (stem, svg) = (figure.file_stem(), chapter.figure_plot(figure).svg());
+        files.push((format!("{stem}.png"), png(&svg)?));
+        files.push((format!("{stem}.svg"), svg.into_bytes()));
     }
-    files.push(("report.md", chapter.markdown().into_bytes()));
-    files.push(("report.tex", chapter.latex().into_bytes()));
+    files.push(("report.md".to_owned(), chapter.markdown().into_bytes()));
+    files.push(("report.tex".to_owned(), chapter.latex().into_bytes()));
     Ok(MeasurementReport {
         files,
         laws: chapter.curves.iter().map(|curve| chapter.law_line(curve)).collect(),
@@ -78,7 +84,7 @@ fn png(svg: &str) -> Result<Vec<u8>, RasterError> {
 
 /// The heads of the columns that say where a point is.
 fn place_heads(measured: &Measurement) -> Vec<String> {
-    let axes = measured.axes.iter().map(|axis| axis.parameter.key().to_owned());
+    let axes = measured.axes.iter().map(|axis| axis.variable.to_string());
     axes.chain(
         ["method", "bodies", "width", "height", "samples", "generations", "threads"]
             .map(|head| format!("drawn_{head}")),
@@ -139,7 +145,9 @@ fn points_csv(curves: &[Series<'_>], measured: &Measurement) -> String {
         "rays_reflected",
         "rays_refracted",
     ];
-    let mut text = csv_line(&[place_heads(measured), heads.map(str::to_owned).to_vec()].concat());
+    let answers = measured.questions.iter().filter(|question| **question != PictureQuestion::Rays);
+    let answers = answers.flat_map(PictureQuestion::columns).collect();
+    let mut text = csv_line(&[place_heads(measured), heads.map(str::to_owned).to_vec(), answers].concat());
     for curve in curves {
         for (point, summary) in &curve.points {
             let law = curve.law.as_ref().zip(point.number()).map(|(law, x)| format!("{:.4}", law.at(x)));
@@ -160,7 +168,10 @@ fn points_csv(curves: &[Series<'_>], measured: &Measurement) -> String {
                 point.rays.reflected.to_string(),
                 point.rays.refracted.to_string(),
             ];
-            text.push_str(&csv_line(&[place(point), fields].concat()));
+            let answers = measured.questions.iter().zip(&point.answers);
+            let answers = answers.filter(|(question, _)| **question != PictureQuestion::Rays);
+            let answers = answers.flat_map(|(_, numbers)| numbers).map(f64::to_string).collect();
+            text.push_str(&csv_line(&[place(point), fields, answers].concat()));
         }
     }
     text
@@ -191,6 +202,30 @@ pub fn machine_rows(machine: &Machine, language: Language) -> Vec<Vec<String>> {
     .to_vec()
 }
 
+/// A plot of the report.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum ReportFigure {
+    /// The times.
+    Time,
+    /// The numbers of rays.
+    Rays,
+    /// What the pictures answer to the question at this place.
+    Answer(usize, PictureQuestion),
+}
+
+impl ReportFigure {
+    fn file_stem(self) -> String {
+        match self {
+            Self::Time => "time".to_owned(),
+            Self::Rays => PictureQuestion::Rays.file_stem(),
+            Self::Answer(_, question) => question.file_stem(),
+        }
+    }
+}
+
+/// How a name is written in a format, so that nothing in it is markup.
+type Escape = fn(&str) -> String;
+
 /// Writes the text around the measurements.
 struct ReportWriter<'a> {
     measured: &'a Measurement,
@@ -199,20 +234,45 @@ struct ReportWriter<'a> {
 }
 
 impl ReportWriter<'_> {
-    fn first(&self) -> Parameter {
-        self.measured.axes.first().map_or(Parameter::Size, |axis| axis.parameter)
+    /// Whether the first axis varies a parameter.
+    fn varies(&self, parameter: Parameter) -> bool {
+        self.measured.axes.first().is_some_and(|axis| axis.variable == parameter.into())
+    }
+
+    /// What the first axis varies, after "depending on".
+    fn depending_on(&self) -> Cow<'static, str> {
+        let first = self.measured.axes.first();
+        first.map_or(Cow::Borrowed(""), |axis| self.language.depending_on(&axis.variable))
+    }
+
+    /// The letter of the first axis in formulas.
+    fn letter(&self) -> &'static str {
+        self.measured.axes.first().map_or("x", |axis| self.language.letter(&axis.variable))
+    }
+
+    /// The title of an axis, with the unit of a value of the scene.
+    fn axis_title(&self, index: usize) -> String {
+        let Some(axis) = self.measured.axes.get(index) else { return String::new() };
+        let title = self.language.variable(&axis.variable);
+        match self.measured.keys.get(index).copied().flatten().and_then(|key| key.unit(self.language.into()))
+        {
+            Some(unit) => format!("{title}, {unit}"),
+            None => title.into_owned(),
+        }
     }
 
     fn filled(&self, text: &str) -> String {
-        self.filled_with(text, &self.measured.name)
+        self.filled_with(text, str::to_owned)
     }
 
-    fn filled_with(&self, text: &str, scene: &str) -> String {
-        fill(text, &[("parameter", self.language.depending_on(self.first())), ("scene", scene)])
+    /// A text with the names of the scene and of what is varied, as a format needs them.
+    fn filled_with(&self, text: &str, escape: Escape) -> String {
+        let (parameter, scene) = (escape(&self.depending_on()), escape(&self.measured.name));
+        fill(text, &[("parameter", &parameter), ("scene", &scene)])
     }
 
     fn law_formula(&self, fit: &Fit) -> String {
-        let (x, language) = (self.language.letter(self.first()), self.language);
+        let (x, language) = (self.letter(), self.language);
         let value = |symbol: &str| fit.coefficient(symbol).map_or(f64::NAN, |found| found.value);
         let number = |symbol: &str| language.significant(value(symbol).abs(), 3);
         let sign = |symbol: &str| if value(symbol) < 0.0 { "−" } else { "+" };
@@ -231,7 +291,7 @@ impl ReportWriter<'_> {
     fn curve_name(&self, curve: &Series<'_>) -> String {
         match (curve.value, self.measured.axes.get(1)) {
             (Some(value), Some(axis)) => {
-                format!("{}: {}", self.language.parameter(axis.parameter), self.language.value_name(value))
+                format!("{}: {}", self.language.variable(&axis.variable), self.language.value_name(value))
             }
             _ => String::new(),
         }
@@ -241,6 +301,7 @@ impl ReportWriter<'_> {
     fn law_line(&self, curve: &Series<'_>) -> String {
         let name = self.curve_name(curve);
         let law = match &curve.law {
+            None if self.measured.keys.first().is_some_and(Option::is_some) => self.no_law().to_owned(),
             None => "–".to_owned(),
             Some(fit) => format!(
                 "{}, {}, R² = {}",
@@ -268,24 +329,14 @@ impl ReportWriter<'_> {
             marks: marks(curve),
             law: curve.law.as_ref().map(|fit| self.law_curve(curve, fit)),
         });
-        self.plot(
-            fill(
-                language.plot_caption(),
-                &[("parameter", language.depending_on(self.first())), ("scene", &self.measured.name)],
-            ),
-            language.time_axis(),
-            curves.collect(),
-        )
+        self.plot(self.filled(language.plot_caption()), language.time_axis(), curves.collect())
     }
 
-    fn rays_plot(&self) -> Option<Plot> {
-        if self.first() != Parameter::Generations {
-            return None;
-        }
+    fn rays_plot(&self) -> Plot {
         let curves = self.curves.iter().map(|curve| {
-            let marks = curve.points.iter().filter_map(|(point, _)| {
-                let rays = point.rays.total() as f64;
-                Some(PlotMark { x: point.number()?, y: rays, low: rays, high: rays, all: Vec::new() })
+            let marks = curve.points.iter().zip(0_u32..).map(|((point, _), index)| {
+                let (x, rays) = (point.number().unwrap_or(f64::from(index)), point.rays.total() as f64);
+                PlotMark { x, y: rays, low: rays, high: rays, all: Vec::new() }
             });
             PlotCurve {
                 label: self.curve_name(curve),
@@ -293,7 +344,8 @@ impl ReportWriter<'_> {
                 law: curve.rays.as_ref().map(|fit| self.law_curve(curve, fit)),
             }
         });
-        Some(self.plot(self.language.rays_caption().to_owned(), self.language.rays_axis(), curves.collect()))
+        let caption = self.figure_caption(ReportFigure::Rays, str::to_owned);
+        self.plot(caption, self.language.rays_axis(), curves.collect())
     }
 
     fn plot(&self, description: String, y_title: &str, curves: Vec<PlotCurve>) -> Plot {
@@ -307,12 +359,12 @@ impl ReportWriter<'_> {
             if low > 0.0 { high / low } else { 0.0 }
         };
         let wide = spread(&|| ys().collect()) > 30.0;
-        let (x_log, y_log) = match self.first() {
-            Parameter::Bodies | Parameter::Fineness | Parameter::CubeMapSize => {
+        let (x_log, y_log) = match self.measured.axes.first().map(|axis| &axis.variable) {
+            Some(Variable::Parameter(Parameter::Bodies | Parameter::Fineness | Parameter::CubeMapSize)) => {
                 let log = spread(&|| xs().collect()) > 8.0;
                 (log, log)
             }
-            Parameter::Size | Parameter::Samples => (false, false),
+            Some(Variable::Parameter(Parameter::Size | Parameter::Samples)) => (false, false),
             _ => (false, wide),
         };
         let names = match self.measured.axes.first() {
@@ -323,7 +375,7 @@ impl ReportWriter<'_> {
         };
         Plot {
             description,
-            x: PlotAxis { title: language.parameter(self.first()).to_owned(), logarithmic: x_log, names },
+            x: PlotAxis { title: self.axis_title(0), logarithmic: x_log, names },
             y: PlotAxis { title: y_title.to_owned(), logarithmic: y_log, names: Vec::new() },
             curves,
             language,
@@ -346,9 +398,9 @@ impl ReportWriter<'_> {
 
     fn times_table(&self) -> Table {
         let language = self.language;
-        let axes = self.measured.axes.iter().map(|axis| language.parameter(axis.parameter).to_owned());
+        let axes = self.axis_heads();
         let (ms, prepare) = (language.milliseconds(), language.prepare());
-        let heads = axes.chain([
+        let heads = axes.into_iter().chain([
             format!("{}, {ms}", language.median()),
             format!("{}, {ms}", language.interval_head()),
             language.runs().to_owned(),
@@ -363,13 +415,8 @@ impl ReportWriter<'_> {
 
     fn time_row(&self, point: &MeasuredPoint, summary: &Summary) -> Vec<String> {
         let language = self.language;
-        let values = point.values.iter().map(|value| match (value, value.number()) {
-            (crate::measure::Value::Size(_), Some(pixels)) => {
-                format!("{} = {}", language.value_name(value), language.fixed(pixels, 0))
-            }
-            _ => language.value_name(value),
-        });
-        values
+        self.place_cells(point)
+            .into_iter()
             .chain([
                 language.significant(summary.median, 4),
                 language.interval(summary.low, summary.high, 3),
@@ -379,6 +426,57 @@ impl ReportWriter<'_> {
                 language.count(point.rays.total()),
             ])
             .collect()
+    }
+
+    /// The heads of the columns that say which point a row is about.
+    fn axis_heads(&self) -> Vec<String> {
+        (0..self.measured.axes.len()).map(|index| self.axis_title(index)).collect()
+    }
+
+    /// The cells below them.
+    fn place_cells(&self, point: &MeasuredPoint) -> Vec<String> {
+        let language = self.language;
+        let cells = point.values.iter().map(|value| match (value, value.number()) {
+            (crate::measure::Value::Size(_), Some(pixels)) => {
+                format!("{} = {}", language.value_name(value), language.fixed(pixels, 0))
+            }
+            _ => language.value_name(value),
+        });
+        cells.collect()
+    }
+
+    /// What the pictures answer to a question.
+    fn answers_table(&self, place: usize, question: PictureQuestion) -> Table {
+        let language = self.language;
+        let heads = self.axis_heads().into_iter().chain(language.answer_columns(question));
+        let row = |point: &MeasuredPoint| {
+            let numbers = point.answers.get(place).into_iter().flatten().map(|&number| match question {
+                PictureQuestion::Rays => language.fixed(number, 0),
+                _ => language.significant(number, 5),
+            });
+            self.place_cells(point).into_iter().chain(numbers).collect()
+        };
+        let points = self.curves.iter().flat_map(|curve| &curve.points);
+        Table {
+            caption: self.answer_caption(question, str::to_owned),
+            heads: heads.collect(),
+            rows: points.map(|(point, _)| row(point)).collect(),
+        }
+    }
+
+    /// What the pictures answer to a question, the last of its numbers.
+    fn answers_plot(&self, place: usize, question: PictureQuestion) -> Plot {
+        let curves = self.curves.iter().map(|curve| {
+            let marks = curve.points.iter().zip(0_u32..).filter_map(|((point, _), index)| {
+                let y = *point.answers.get(place)?.last()?;
+                let x = point.number().unwrap_or(f64::from(index));
+                Some(PlotMark { x, y, low: y, high: y, all: Vec::new() })
+            });
+            PlotCurve { label: self.curve_name(curve), marks: marks.collect(), law: None }
+        });
+        let caption = self.answer_caption(question, str::to_owned);
+        let axis = self.language.answer_columns(question).pop().unwrap_or_default();
+        self.plot(caption, &axis, curves.collect())
     }
 
     fn laws_table(&self) -> Option<Table> {
@@ -432,7 +530,7 @@ impl ReportWriter<'_> {
     }
 
     /// What is said before the results.
-    fn setup(&self) -> Vec<String> {
+    fn setup(&self, escape: Escape) -> Vec<String> {
         let language = self.language;
         let counts = [
             ("points", self.measured.points.len().to_string()),
@@ -443,43 +541,92 @@ impl ReportWriter<'_> {
         if !self.measured.complete {
             text.push(language.incomplete().to_owned());
         }
-        if self.measured.axes.iter().any(|axis| axis.parameter == Parameter::Bodies) {
+        for (axis, key) in self.measured.axes.iter().zip(&self.measured.keys) {
+            if let Some(key) = key {
+                let meaning = key.meaning(language.into());
+                let value = escape(&axis.variable.to_string());
+                text.push(fill(language.value_text(), &[("value", &value), ("meaning", &meaning)]));
+            }
+        }
+        if self.measured.axes.iter().any(|axis| axis.variable == Parameter::Bodies.into()) {
             text.push(language.grown_text().to_owned());
         }
         text.push(language.interval_text().to_owned());
-        if self.first() == Parameter::Generations {
+        if self.varies(Parameter::Generations) {
             text.push(language.worst_case().to_owned());
         }
         text
     }
 
-    /// The plots and their captions, in which the scene is called `scene`.
-    fn figures(&self, scene: &str) -> Vec<(&'static str, String)> {
-        let mut figures = vec![("time", self.filled_with(self.language.plot_caption(), scene))];
-        if self.first() == Parameter::Generations {
-            figures.push(("rays", self.language.rays_caption().to_owned()));
+    /// The plots of the report.
+    fn figures(&self) -> Vec<ReportFigure> {
+        let questions = &self.measured.questions;
+        let has_rays = self.varies(Parameter::Generations) || questions.contains(&PictureQuestion::Rays);
+        let answers = questions.iter().copied().enumerate();
+        let answers = answers.filter(|(_, question)| *question != PictureQuestion::Rays);
+        let rays = has_rays.then_some(ReportFigure::Rays);
+        let figures = [ReportFigure::Time].into_iter().chain(rays);
+        figures.chain(answers.map(|(place, question)| ReportFigure::Answer(place, question))).collect()
+    }
+
+    fn figure_plot(&self, figure: ReportFigure) -> Plot {
+        match figure {
+            ReportFigure::Time => self.time_plot(),
+            ReportFigure::Rays => self.rays_plot(),
+            ReportFigure::Answer(place, question) => self.answers_plot(place, question),
         }
-        figures
+    }
+
+    fn figure_caption(&self, figure: ReportFigure, escape: Escape) -> String {
+        match figure {
+            ReportFigure::Time => self.filled_with(self.language.plot_caption(), escape),
+            ReportFigure::Rays if self.varies(Parameter::Generations) => {
+                self.language.rays_caption().to_owned()
+            }
+            ReportFigure::Rays => self.answer_caption(PictureQuestion::Rays, escape),
+            ReportFigure::Answer(_, question) => self.answer_caption(question, escape),
+        }
+    }
+
+    fn answer_caption(&self, question: PictureQuestion, escape: Escape) -> String {
+        self.filled_with(&self.language.answer_caption(question), escape)
+    }
+
+    /// The tables of the results with their labels.
+    fn result_tables(&self) -> Vec<(String, Table)> {
+        let questions = self.measured.questions.iter().enumerate();
+        let answers =
+            questions.map(|(place, &question)| (question.file_stem(), self.answers_table(place, question)));
+        [("times".to_owned(), self.times_table())].into_iter().chain(answers).collect()
+    }
+
+    /// Why there is no law.
+    fn no_law(&self) -> &'static str {
+        let is_value = self.measured.keys.first().is_some_and(Option::is_some);
+        if is_value { self.language.no_law_of_value() } else { self.language.no_law() }
     }
 
     fn markdown(&self) -> String {
         let language = self.language;
-        let scene = markdown(&self.measured.name);
-        let title = self.filled_with(language.study_title(), &scene);
+        let title = self.filled_with(language.study_title(), markdown);
         let mut text = format!("# {title}\n\n## {}\n\n", language.setup());
-        for paragraph in self.setup() {
+        for paragraph in self.setup(markdown) {
             let _ = write!(text, "{paragraph}\n\n");
         }
         let _ = write!(text, "{}\n## {}\n\n", self.machine_table().markdown(), language.results_head());
-        for ((name, caption), number) in self.figures(&scene).into_iter().zip(1..) {
+        for (figure, number) in self.figures().into_iter().zip(1..) {
+            let (name, caption) = (figure.file_stem(), self.figure_caption(figure, markdown));
             let figure = language.figure().replace("{n}", &number.to_string());
             let _ = write!(text, "![{caption}]({name}.svg)\n\n*{figure}. {caption}*\n\n");
         }
-        let _ = write!(text, "{}\n## {}\n\n", self.times_table().markdown(), language.law_head());
+        for (_, table) in self.result_tables() {
+            let _ = writeln!(text, "{}", table.markdown());
+        }
+        let _ = write!(text, "## {}\n\n", language.law_head());
         match self.laws_table() {
             Some(table) => text.push_str(&table.markdown()),
             None => {
-                let _ = writeln!(text, "{}", language.no_law());
+                let _ = writeln!(text, "{}", self.no_law());
             }
         }
         text
@@ -492,7 +639,7 @@ impl ReportWriter<'_> {
             tex(&self.filled(language.study_title())),
             tex(language.setup())
         );
-        for paragraph in self.setup() {
+        for paragraph in self.setup(str::to_owned) {
             let _ = write!(text, "{}\n\n", tex(&paragraph));
         }
         let _ = write!(
@@ -501,7 +648,8 @@ impl ReportWriter<'_> {
             self.machine_table().latex("machine"),
             tex(language.results_head())
         );
-        for (name, caption) in self.figures(&self.measured.name) {
+        for figure in self.figures() {
+            let (name, caption) = (figure.file_stem(), self.figure_caption(figure, str::to_owned));
             let _ = write!(
                 text,
                 "\\begin{{figure}}[htbp]\n  \\centering\n  \\includegraphics[width=\\linewidth]{{{name}.png}}\n  \
@@ -509,12 +657,14 @@ impl ReportWriter<'_> {
                 tex(&caption)
             );
         }
-        let _ = writeln!(text, "{}", self.times_table().latex("times"));
+        for (label, table) in self.result_tables() {
+            let _ = writeln!(text, "{}", table.latex(&label));
+        }
         let _ = write!(text, "\\subsection{{{}}}\n\n", tex(language.law_head()));
         match self.laws_table() {
             Some(table) => text.push_str(&table.latex("laws")),
             None => {
-                let _ = writeln!(text, "{}", tex(language.no_law()));
+                let _ = writeln!(text, "{}", tex(self.no_law()));
             }
         }
         text

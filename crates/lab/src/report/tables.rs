@@ -11,16 +11,19 @@ pub(crate) struct Table {
 }
 
 impl Table {
-    /// The table in Markdown, with its caption above.
+    /// The table in Markdown, with its caption above. Heads and first cells may hold names of the user's choice.
     pub(crate) fn markdown(&self) -> String {
-        let line = |cells: &[String]| {
-            let cells: Vec<String> = cells.iter().map(|cell| visible(cell).replace('|', "\\|")).collect();
-            format!("| {} |\n", cells.join(" | "))
-        };
+        let line = |cells: Vec<String>| format!("| {} |\n", cells.join(" | "));
         let rule: Vec<String> =
             (0..self.heads.len()).map(|index| if index == 0 { ":---" } else { "---:" }.to_owned()).collect();
-        let rows: String = self.rows.iter().map(|row| line(row)).collect();
-        format!("*{}*\n\n{}{}{rows}", markdown(&self.caption), line(&self.heads), line(&rule))
+        let cell = |(index, cell): (usize, &String)| match index {
+            0 => markdown(cell),
+            _ => visible(cell).replace('|', "\\|"),
+        };
+        let heads = line(self.heads.iter().map(|head| markdown(head)).collect());
+        let rows: String =
+            self.rows.iter().map(|row| line(row.iter().enumerate().map(cell).collect())).collect();
+        format!("*{}*\n\n{heads}{}{rows}", markdown(&self.caption), line(rule))
     }
 
     /// The table in LaTeX, with `booktabs`.

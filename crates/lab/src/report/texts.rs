@@ -1,9 +1,12 @@
 //! The texts of reports, in both languages. Placeholders stand in braces.
 
+use std::borrow::Cow;
+
+use catoptric_scene::SceneValue;
 use catoptric_tracer::raster::{PassName, Reason};
 
 use super::language::Language;
-use crate::measure::{GrowthLaw, Parameter, Value};
+use crate::measure::{GrowthLaw, Parameter, PictureQuestion, Value, Variable};
 
 /// Fills in what stands in braces.
 pub(crate) fn fill(text: &str, values: &[(&str, &str)]) -> String {
@@ -150,6 +153,8 @@ texts! {
     r_squared: "R²", "R²";
     residual: "Residual, %", "Невязка, %";
     no_law: "A law needs at least three different numbers.", "Для закона нужны хотя бы три разных числа.";
+    no_law_of_value: "No law is expected of a value of the scene.", "Для значения сцены закон не предполагается.";
+    value_text: "Of the scene, {value} is varied: {meaning}.", "В сцене меняется {value}: {meaning}.";
     time_axis: "Time t, ms", "Время t, мс";
     rays_axis: "Rays for one picture", "Лучей на изображение";
     figure: "Figure {n}", "Рис. {n}";
@@ -221,9 +226,23 @@ impl Language {
         }
     }
 
-    /// The parameter after "depending on".
-    pub(crate) const fn depending_on(self, parameter: Parameter) -> &'static str {
-        match parameter {
+    /// The title of what is varied, on an axis or over a column.
+    pub fn variable(self, variable: &Variable) -> Cow<'static, str> {
+        match variable {
+            Variable::Parameter(parameter) => self.parameter(*parameter).into(),
+            Variable::Setting(path) => path.to_string().into(),
+        }
+    }
+
+    /// What is varied, after "depending on".
+    pub(crate) fn depending_on(self, variable: &Variable) -> Cow<'static, str> {
+        let parameter = match variable {
+            Variable::Parameter(parameter) => *parameter,
+            Variable::Setting(path) => {
+                return format!("{} {path}", self.choose("the value", "значения")).into();
+            }
+        };
+        let text = match parameter {
             Parameter::Bodies => self.choose("the number of bodies N", "числа тел N"),
             Parameter::Generations => {
                 self.choose("the limit of generations K", "ограничения числа поколений K")
@@ -235,11 +254,55 @@ impl Language {
             Parameter::Fineness => self.choose("the fineness m of the faces", "дробности разбиения m"),
             Parameter::CubeMapSize => self.choose("the edge n of the cube map", "стороны кубической карты n"),
             Parameter::Search => self.choose("the search for bodies", "способа поиска тел"),
-        }
+        };
+        text.into()
     }
 
-    /// The letter of a parameter in formulas.
-    pub(crate) const fn letter(self, parameter: Parameter) -> &'static str {
+    /// What a picture answers, depending on what is varied; the name of the scene is still to be filled in.
+    pub(crate) fn answer_caption(self, question: PictureQuestion) -> String {
+        let what = match question {
+            PictureQuestion::Mean => {
+                self.choose("Mean light of the picture", "Средний свет изображения").to_owned()
+            }
+            PictureQuestion::Pixel([x, y]) => {
+                format!("{} {x}, {y}", self.choose("Light of the pixel", "Свет пикселя"))
+            }
+            PictureQuestion::Flip => self
+                .choose("ꟻLIP difference from the first picture", "Отличие ꟻLIP от первого изображения")
+                .to_owned(),
+            PictureQuestion::Rays => {
+                self.choose("Rays traced for one picture", "Число лучей на одно изображение").to_owned()
+            }
+        };
+        let depending =
+            self.choose("of {scene}, depending on {parameter}", "сцены {scene} в зависимости от {parameter}");
+        format!("{what} {depending}")
+    }
+
+    /// The heads of the numbers that a picture answers.
+    pub(crate) fn answer_columns(self, question: PictureQuestion) -> Vec<String> {
+        let heads: &[&str] = match question {
+            PictureQuestion::Mean | PictureQuestion::Pixel(_) => &[
+                self.choose("Red", "Красный"),
+                self.choose("Green", "Зелёный"),
+                self.choose("Blue", "Синий"),
+                self.choose("Luminance, linear light", "Яркость, линейный свет"),
+            ],
+            PictureQuestion::Flip => &["ꟻLIP"],
+            PictureQuestion::Rays => &[
+                self.choose("Primary", "Первичные"),
+                self.choose("Shadow", "Теневые"),
+                self.choose("Reflected", "Отражённые"),
+                self.choose("Refracted", "Преломлённые"),
+                self.choose("All rays", "Все лучи"),
+            ],
+        };
+        heads.iter().copied().map(str::to_owned).collect()
+    }
+
+    /// The letter of what is varied in formulas.
+    pub(crate) const fn letter(self, variable: &Variable) -> &'static str {
+        let Variable::Parameter(parameter) = variable else { return "x" };
         match parameter {
             Parameter::Bodies => "N",
             Parameter::Generations => "K",
@@ -265,6 +328,8 @@ impl Language {
                 self.choose("one by one", "полный перебор").to_owned()
             }
             Value::Method(variant) => variant.name.clone(),
+            Value::Setting(SceneValue::Number(number)) => self.decimal(*number),
+            Value::Setting(_) => value.to_string(),
         }
     }
 

@@ -5,12 +5,14 @@ use std::time::Duration;
 use catoptric_lab::Machine;
 use catoptric_lab::cloud::grown;
 use catoptric_lab::measure::{
-    Axis, GrowthLaw, MeasureError, MeasurePlan, MeasuredPoint, Measurement, PointTimes, measure, series,
+    Axis, GrowthLaw, MeasureError, MeasurePlan, MeasuredPoint, Measurement, PictureQuestion, PointTimes,
+    measure, series,
 };
 use catoptric_lab::report::{Language, MeasurementReport, study};
 use catoptric_picture::decode;
 use catoptric_scene::{
     Body, Camera, Example, Material, MaterialChoice, Phong, Placement, Projection, Scene, Shape, Tracing,
+    read,
 };
 use catoptric_tracer::raster::MethodKind;
 use catoptric_tracer::{AcceleratorChoice, RayCounts, RenderControl, RenderScene, RenderSettings, render};
@@ -52,6 +54,7 @@ fn plan(scene: Scene, vary: &str) -> MeasurePlan {
         settings: RenderSettings { width: 32, height: 18, samples: 1 },
         threads: 2,
         axes: Axis::read(vary, 2).unwrap(),
+        questions: Vec::new(),
         rounds: 3,
         least_time: Duration::ZERO,
     }
@@ -171,6 +174,7 @@ fn synthetic(vary: &str, time: impl Fn(&MeasuredPoint) -> f64) -> Measurement {
             threads: 2,
             method: "whitted".to_owned(),
             rays: RayCounts { primary: 576, ..RayCounts::default() },
+            answers: Vec::new(),
             repeats: 1,
             runs: Vec::new(),
         };
@@ -193,11 +197,20 @@ fn synthetic(vary: &str, time: impl Fn(&MeasuredPoint) -> f64) -> Measurement {
         system: "System".to_owned(),
         program: "catoptric".to_owned(),
     };
-    Measurement { name: "sphere_flake".to_owned(), axes, points, rounds: 11, complete: true, machine }
+    Measurement {
+        name: "sphere_flake".to_owned(),
+        keys: vec![None; axes.len()],
+        axes,
+        questions: Vec::new(),
+        points,
+        rounds: 11,
+        complete: true,
+        machine,
+    }
 }
 
 fn text(study: &MeasurementReport, name: &str) -> String {
-    let (_, bytes) = study.files.iter().find(|(found, _)| *found == name).unwrap();
+    let (_, bytes) = study.files.iter().find(|(found, _)| found == name).unwrap();
     String::from_utf8(bytes.clone()).unwrap()
 }
 
@@ -209,7 +222,7 @@ fn a_study_holds_all_in_both_languages() {
         (Language::Russian, "0,500 + 2,00·10⁻⁵·C", "линейный"),
     ] {
         let study = study(&measured, language).unwrap();
-        let names: Vec<&str> = study.files.iter().map(|(name, _)| *name).collect();
+        let names: Vec<&str> = study.files.iter().map(|(name, _)| name.as_str()).collect();
         assert_eq!(names, ["runs.csv", "points.csv", "time.png", "time.svg", "report.md", "report.tex"]);
         // The middle of eleven is the sixth: 0.05 % above.
         assert!(study.laws[0].starts_with(law) && study.laws[0].contains(median), "{:?}", study.laws);
@@ -219,7 +232,7 @@ fn a_study_holds_all_in_both_languages() {
             .descendants()
             .filter(|node| node.attribute("fill") == Some("none") && node.has_tag_name("circle"));
         assert_eq!(rings.count(), 7, "an outlier at each point");
-        let (_, png) = study.files.iter().find(|(name, _)| *name == "time.png").unwrap();
+        let (_, png) = study.files.iter().find(|(name, _)| name == "time.png").unwrap();
         assert_eq!(decode(png).unwrap().width(), 1440);
         let markdown = text(&study, "report.md");
         assert!(markdown.contains("![") && markdown.contains("(time.svg)") && markdown.contains(median));
@@ -261,4 +274,126 @@ fn known_laws_are_found_and_named() {
     assert_eq!(law("generations=1,2,3,4,5,6,7,8,9,10", &|k| 1.0 + 2.0_f64.powf(k)).law, GrowthLaw::Geometric);
     let amdahl = law("threads=1,2,4,8", &|p| 2.0 + 30.0 / p);
     assert!((amdahl.coefficient("a").unwrap().value - 2.0).abs() < 0.01);
+}
+
+/// A scene whose light is that of one light alone, and answers to all questions.
+fn lit() -> MeasurePlan {
+    let text = "format = 'catoptric/1'\n[environment]\nbackground = [0, 0, 0]\nambient = [0, 0, 0]\n\
+                [[lights]]\nname = 'lamp'\n[[bodies]]\nname = 'ball'\nposition = [0, 1, 0]\n\
+                [[bodies]]\nshape = 'plane'\n";
+    MeasurePlan {
+        questions: PictureQuestion::read("mean,pixel:16,9,flip,rays").unwrap(),
+        rounds: 1,
+        ..plan(read(text).into_result().unwrap().value, "lights.lamp.intensity=0,0.5,1,2")
+    }
+}
+
+#[test]
+fn light_grows_with_the_intensity_of_its_only_source() {
+    let measured = run(&lit());
+    let answers = |question: usize| -> Vec<&[f64]> {
+        measured.points.iter().map(|point| point.answers[question].as_slice()).collect()
+    };
+    for question in [0, 1] {
+        let light = answers(question);
+        assert!(light[2][3] > 0.01, "{light:?}");
+        for (answer, intensity) in light.iter().zip([0.0, 0.5, 1.0, 2.0]) {
+            for (part, one) in answer.iter().zip(light[2]) {
+                assert!((part - intensity * one).abs() <= 1e-6 * one, "{light:?}");
+            }
+        }
+    }
+    let flip = answers(2);
+    assert_eq!(flip[0], [0.0]);
+    assert!(flip[1][0] > 0.01 && flip[1][0] < flip[2][0], "{flip:?}");
+    for (answer, point) in answers(3).into_iter().zip(&measured.points) {
+        assert_eq!(answer[0], f64::from(32 * 18));
+        assert_eq!(answer[4], point.rays.total() as f64);
+    }
+    assert_eq!(measured.keys[0].map(|key| key.name), Some("intensity"));
+    assert!(series(&measured)[0].law.is_none());
+}
+
+#[test]
+fn each_curve_has_a_first_picture_of_its_own() {
+    let plan = MeasurePlan {
+        axes: Axis::read("bodies.ball.radius=0.5,0.5,1,size=32x18,16x16", 2).unwrap(),
+        questions: vec![PictureQuestion::Flip],
+        ..lit()
+    };
+    let measured = run(&plan);
+    let flip: Vec<f64> = measured.points.iter().map(|point| point.answers[0][0]).collect();
+    assert!(flip[0] == 0.0 && flip[1] == 0.0 && flip[3] == 0.0 && flip[4] == 0.0, "{flip:?}");
+    assert!(flip[2] > 0.01 && flip[5] > 0.01, "{flip:?}");
+}
+
+#[test]
+fn a_value_of_the_scene_is_set_before_the_scene_grows() {
+    let plan = MeasurePlan {
+        axes: Axis::read("bodies=2,30,tracing.generations=1,4", 2).unwrap(),
+        questions: Vec::new(),
+        ..lit()
+    };
+    let found: Vec<(usize, u32)> =
+        run(&plan).points.iter().map(|point| (point.bodies, point.generations)).collect();
+    assert_eq!(found, [(2, 1), (30, 1), (2, 4), (30, 4)]);
+}
+
+#[test]
+fn what_a_picture_answers_is_reported() {
+    let plan = MeasurePlan { axes: Axis::read("bodies.ball.radius=0.25..1:4", 2).unwrap(), ..lit() };
+    let measured = run(&plan);
+    for (language, said) in [(Language::English, "meters"), (Language::Russian, "метры")] {
+        let study = study(&measured, language).unwrap();
+        let names: Vec<&str> = study.files.iter().map(|(name, _)| name.as_str()).collect();
+        let possible = MeasurementReport::names(&measured.questions);
+        assert!(names.iter().all(|name| possible.iter().any(|possible| possible == name)), "{names:?}");
+        for stem in ["time", "rays", "mean", "pixel-16-9", "flip"] {
+            let svg = text(&study, &format!("{stem}.svg"));
+            assert!(roxmltree::Document::parse(&svg).is_ok() && svg.contains(said), "{stem}");
+        }
+        let markdown = text(&study, "report.md");
+        assert!(markdown.contains(&format!("| bodies.ball.radius, {said} |")), "{markdown}");
+        assert!(markdown.contains("bodies.ball.radius") && markdown.contains("(mean.svg)"), "{markdown}");
+        let law = study.laws.join("\n");
+        assert!(law.contains(["No law is expected", "закон не предполагается"][language as usize]), "{law}");
+        let csv = text(&study, "points.csv");
+        let rows: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
+        assert!(rows.iter().all(|row| row.len() == rows[0].len()), "{csv}");
+        assert_eq!(
+            rows.iter().map(|row| row[0]).collect::<Vec<_>>(),
+            ["bodies.ball.radius", "0.25", "0.5", "0.75", "1"]
+        );
+        let column = rows[0].iter().position(|head| *head == "mean_luminance").unwrap();
+        assert_eq!(rows[1][column], measured.points[0].answers[0][3].to_string());
+        assert!(rows[0].ends_with(&["pixel_16_9_luminance", "flip"]), "{csv}");
+    }
+}
+
+#[test]
+fn values_and_questions_that_make_no_sense_are_refused() {
+    let refused = |vary: &str, questions: &str| {
+        let questions = PictureQuestion::read(questions).unwrap();
+        let plan = MeasurePlan { axes: Axis::read(vary, 2).unwrap(), questions, ..lit() };
+        measure(&plan, &RenderControl::default(), &mut |_| {}).unwrap_err().to_string()
+    };
+    for (vary, questions, said) in [
+        (
+            "bodies.ball.radius=1,0",
+            "mean",
+            "bodies.ball.radius cannot be 0: `radius` is `0`, but must be greater than 0",
+        ),
+        (
+            "bodies.bal.radius=1",
+            "mean",
+            "bodies.bal.radius cannot be 1: `bodies` has no element `bal`; did you mean",
+        ),
+        ("bodies.ball.shape=cub", "mean", "bodies.ball.shape cannot be \"cub\": `shape` is `cub`"),
+        ("environment.picture=none.png", "mean", "cannot open the picture `none.png`"),
+        ("size=32x18,8x8", "pixel:9,3", "pixel:9,3 is asked, but the picture has 8x8 pixels"),
+        ("size=32x18,8x8", "flip", "flip compares pictures of one size"),
+    ] {
+        let error = refused(vary, questions);
+        assert!(error.starts_with(said), "{vary}: {error}");
+    }
 }

@@ -22,6 +22,7 @@ use toml_parser::lexer::TokenKind;
 
 use list::{ListKind, ListReader};
 use names::SourcePositions;
+pub(crate) use names::undefined_material;
 
 /// Longest text in bytes: 1 GiB.
 pub const LONGEST_TEXT: usize = 1 << 30;

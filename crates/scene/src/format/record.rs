@@ -9,7 +9,7 @@ use crate::camera::{Camera, Projection};
 use crate::color::Color;
 use crate::format::keys;
 use crate::format::material;
-use crate::format::spec::{Default, KeySpec, TableSpec, When};
+use crate::format::spec::{Default, KeySpec, Kind, TableSpec, When};
 use crate::image::Image;
 use crate::light::{Falloff, Light};
 use crate::material::MaterialChoice;
@@ -109,10 +109,10 @@ impl<'a> Record<'a> {
             (Default::Vector(default), Datum::Vector(value)) => default == *value,
             (Default::Text(default), Datum::Text(value)) => default == value,
             (Default::Flag(default), Datum::Flag(value)) => default == *value,
-            (Default::ByChoice(defaults), Datum::Number(value)) => self
-                .choice_of(key)
-                .and_then(|choice| defaults.iter().find(|(name, _)| *name == choice))
-                .is_some_and(|(_, default)| default == value),
+            (Default::ByChoice(_), Datum::Number(value)) => {
+                let When::Choice { choice, .. } = key.when else { return false };
+                key.default_number(self.chosen(choice)) == Some(*value)
+            }
             (Default::EmptyTable, Datum::Table(record)) => record.is_all_default(),
             _ => false,
         }
@@ -124,13 +124,17 @@ impl<'a> Record<'a> {
             .all(|(name, datum)| self.table.0.find(name).is_some_and(|(_, key)| self.is_default(key, datum)))
     }
 
-    /// The word of the choice that `key` depends on.
-    fn choice_of(&self, key: &KeySpec) -> Option<&str> {
-        let When::Choice { choice, .. } = key.when else { return None };
-        match self.get(choice) {
-            Some(Datum::Text(word)) => Some(word),
-            _ => None,
-        }
+    /// The word of a choice.
+    pub(crate) fn chosen(&self, choice: &str) -> Option<&'static str> {
+        let Kind::Choice(words) = self.table.0.key(choice)?.kind else { return None };
+        let Datum::Text(chosen) = self.get(choice)? else { return None };
+        words.iter().find(|word| *word == chosen).copied()
+    }
+
+    /// The key that stands here and excludes `key`.
+    pub(crate) fn key_against(&self, key: &KeySpec) -> Option<&'static KeySpec> {
+        let mut standing = self.written().filter_map(|(name, _)| self.table.0.key(name));
+        standing.find(|other| other.excludes.contains(&key.name))
     }
 
     /// The keys that are written: those that always are, and those that are not at their default.
@@ -231,7 +235,6 @@ mod tests {
 
     #[test]
     fn the_table_and_the_types_have_the_same_shapes() {
-        use crate::format::spec::Kind;
         let Kind::Choice(words) = keys::BODY.key("shape").unwrap().kind else { panic!() };
         assert_eq!(words, ShapeKind::ALL.map(ShapeKind::key));
     }

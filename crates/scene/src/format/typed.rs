@@ -11,7 +11,7 @@ use crate::format::message::{Component, Enumeration, FoundValue, KeyMeaning, Mes
 use crate::format::nearest::nearest;
 use crate::format::quote::{quoted, quoted_value};
 use crate::format::spec::{Default, KeySpec, Kind, Limits, TableSpec, When};
-use crate::format::toml::{Value, ValueKind};
+use crate::format::toml::{Span, Value, ValueKind};
 use crate::format::tree::Table;
 use crate::image::{Image, ImageSource};
 
@@ -226,31 +226,12 @@ impl<'b, 't> Fields<'_, 'b, 't> {
     pub(crate) fn check_choices(&mut self) {
         for entry in &self.table.entries {
             let Some((_, key)) = self.spec.find(&entry.key.text) else { continue };
-            let When::Choice { choice, values } = key.when else { continue };
+            let When::Choice { choice, .. } = key.when else { continue };
             let Some((chosen, is_default)) = self.chosen(choice) else { continue };
-            if values.contains(&chosen) {
-                continue;
+            if let Some(finding) = inapplicable(self.spec, key, chosen, is_default, entry.key.span) {
+                self.found.push(finding);
             }
-            let (key, values) = (key.name, Enumeration::of_values(values));
-            let label = match is_default {
-                true => Message::ChosenByDefault { choice, chosen },
-                false => Message::ChosenHere { choice, chosen },
-            };
-            let own = self.own_keys(choice, chosen);
-            let help = match own.is_empty() {
-                true => Message::RemoveOrChange { key, choice },
-                false => Message::RemoveOrChangeChosen { key, choice, chosen, own },
-            };
-            let message = Message::OnlyFor { key, choice, values };
-            let finding = Diagnostic::error(entry.key.span.range(), message);
-            self.found.push(finding.with_label(label).with_help(help));
         }
-    }
-
-    /// The keys that depend on `choice` and apply for `chosen`.
-    fn own_keys(&self, choice: &str, chosen: &str) -> Enumeration {
-        let applies = |key: &&KeySpec| key.belongs_to(choice, chosen);
-        Enumeration::of_keys(self.spec.keys.iter().filter(applies))
     }
 
     /// The word that a choice has, and whether by default; `None` when it is wrong.
@@ -346,6 +327,34 @@ impl Kind {
 fn wrong_value(key: &KeySpec, value: &Value<'_>, found: FoundValue) -> Diagnostic {
     let message = Message::WrongValue { subject: Subject::key(key.name), found, expected: key.kind };
     Diagnostic::error(value.span.range(), message)
+}
+
+/// Refuses a key at `span` that has no meaning where the choice that it depends on is `chosen`; `is_default` if nobody
+/// chose that.
+pub(crate) fn inapplicable(
+    table: &'static TableSpec,
+    key: &'static KeySpec,
+    chosen: &'static str,
+    is_default: bool,
+    span: Span,
+) -> Option<Diagnostic> {
+    let When::Choice { choice, values } = key.when else { return None };
+    if values.contains(&chosen) {
+        return None;
+    }
+    let is_own = |other: &&KeySpec| other.belongs_to(choice, chosen);
+    let own = Enumeration::of_keys(table.keys.iter().filter(is_own));
+    let key = key.name;
+    let label = match is_default {
+        true => Message::ChosenByDefault { choice, chosen },
+        false => Message::ChosenHere { choice, chosen },
+    };
+    let help = match own.is_empty() {
+        true => Message::RemoveOrChange { key, choice },
+        false => Message::RemoveOrChangeChosen { key, choice, chosen, own },
+    };
+    let message = Message::OnlyFor { key, choice, values: Enumeration::of_values(values) };
+    Some(Diagnostic::error(span.range(), message).with_label(label).with_help(help))
 }
 
 /// What a key means and which values it can have.

@@ -7,6 +7,7 @@
     reason = "helpers of tests may panic as tests may"
 )]
 
+mod address;
 mod common;
 mod files;
 mod hints;

@@ -244,7 +244,7 @@ fn a_pixel_at_the_lower_edge_stays_in_view() {
     assert_eq!(rect.size(), whole.size());
     assert_eq!(studio.audited_pixel().unwrap()[0], pixel);
     // What is brought into view is not brought under the panel.
-    audit.run(CameraCommand::FrameAll.into());
+    audit.run(Command::Camera(CameraCommand::FrameAll));
     let rect = audit.harness.state().viewport_rect().unwrap();
     assert!(audit.is_panel_seen() && seen.contains_rect(rect), "{rect} in {seen}");
     // With the tool the panel goes, and comes again.

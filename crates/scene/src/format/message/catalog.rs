@@ -329,6 +329,55 @@ messages! {
         "{error}",
         "{error}";
 
+    // Addresses of values.
+    NotAPath { text: String }:
+        "{text} is not the address of a value",
+        "{text} — не адрес значения";
+    PathIs:
+        "an address is keys and names with points between them, such as `bodies.ball.position.y`; names with other \
+         characters than letters, digits, `_` and `-` stand in quotes",
+        "адрес — это ключи и имена через точку, например `bodies.ball.position.y`; имена не только из букв, цифр, `_` \
+         и `-` берут в кавычки";
+    SceneValueIs:
+        "a value is a number, three numbers as in `[0, 1, 0]`, `true`, `false` or a text",
+        "значение — это число, три числа, например `[0, 1, 0]`, `true`, `false` или текст";
+    NotOfScene { key: &'static str }:
+        "`{key}` is not a value of the scene",
+        "`{key}` — не значение сцены";
+    IsATable { name: String }:
+        "{name} is not one value, but several",
+        "{name} — не одно значение, а несколько";
+    NoElement { list: &'static str, name: String }:
+        "`{list}` has no element {name}",
+        "в `{list}` нет элемента {name}";
+    ElementIs { list: &'static str, last: String }:
+        "an element of `{list}` has a name, or a number from 0 to {last}",
+        "у элемента `{list}` есть имя или номер от 0 до {last}";
+    ListIsEmpty { list: &'static str }:
+        "`{list}` is empty",
+        "список `{list}` пуст";
+    MaterialIsShared { name: String }:
+        "the body shares the material {name}",
+        "у тела общий материал {name}";
+    SharedUnder { key: String }:
+        "its values are under `materials.{key}`",
+        "его значения находятся в `materials.{key}`";
+    MaterialIsOwn:
+        "the body has a material of its own, which has no name",
+        "у тела собственный материал, без имени";
+    AbsentKey { key: &'static str }:
+        "`{key}` has no value here",
+        "у `{key}` здесь нет значения";
+    NoSuchPart { key: &'static str, part: String }:
+        "`{key}` has no part {part}",
+        "у `{key}` нет части {part}";
+    PartsAre { key: &'static str, parts: Enumeration }:
+        "the parts of `{key}` are {parts}",
+        "части `{key}`: {parts}";
+    PartIsNumber { key: &'static str }:
+        "a part of `{key}` must be a number, and `{key}` must have numbers already",
+        "часть `{key}` должна быть числом, и у `{key}` уже должны быть числа";
+
     // Syntax.
     ListNotClosed:
         "this list is not closed",

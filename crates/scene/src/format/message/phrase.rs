@@ -302,20 +302,54 @@ pub(crate) struct KeyMeaning {
 
 impl Phrase for KeyMeaning {
     fn phrase(&self, language: Language) -> Cow<'_, str> {
-        let name = self.key.name;
-        let mut text = match language {
-            Language::English => format!("`{name}` is {}", self.key.doc),
-            Language::Russian => format!("`{name}` — {}", russian::doc(self.key)),
-        };
-        if let Some(limits) = self.key.limits().filter(|_| self.has_range) {
-            let (min, max) = (Number::from(limits.min), Number::from(limits.max));
-            let (min, max) = (min.phrase(language), max.phrase(language));
-            text.push_str(&match language {
-                Language::English => format!(" ({min} to {max})"),
-                Language::Russian => format!(" (от {min} до {max})"),
-            });
+        let is = language.pick("is", "—");
+        let (doc, range) = (self.key.words(language), self.key.range(language).filter(|_| self.has_range));
+        format!("`{}` {is} {doc}{}", self.key.name, range.unwrap_or_default()).into()
+    }
+}
+
+impl KeySpec {
+    /// What the key means, in which unit, and which values it can have.
+    ///
+    /// ```
+    /// use catoptric_scene::{Language, format::keys};
+    /// let fov = keys::CAMERA.key("fov").unwrap();
+    /// assert_eq!(fov.meaning(Language::English), "the vertical angle of view, degrees (0.001 to 179.9)");
+    /// ```
+    pub fn meaning(&self, language: Language) -> String {
+        let text = format!("{}{}", self.words(language), self.range(language).unwrap_or_default());
+        match self.kind {
+            Kind::Choice(words) => format!("{text}: {}", Enumeration::of_values(words).phrase(language)),
+            _ => text,
         }
-        text.into()
+    }
+
+    /// What the key means and in which unit.
+    fn words(&self, language: Language) -> &'static str {
+        match language {
+            Language::English => self.doc,
+            Language::Russian => russian::doc(self),
+        }
+    }
+
+    /// The range of its numbers, in parentheses behind a space.
+    fn range(&self, language: Language) -> Option<String> {
+        let limits = self.limits()?;
+        let (min, max) = (Number::from(limits.min), Number::from(limits.max));
+        let (min, max) = (min.phrase(language), max.phrase(language));
+        Some(match language {
+            Language::English => format!(" ({min} to {max})"),
+            Language::Russian => format!(" (от {min} до {max})"),
+        })
+    }
+
+    /// The unit of its numbers; `None` for what has none.
+    pub fn unit(&self, language: Language) -> Option<&'static str> {
+        let is_in = |unit: &str| self.doc.split([',', ';']).any(|part| part.trim() == unit);
+        [("meters", "метры"), ("degrees", "градусы")]
+            .into_iter()
+            .find(|(unit, _)| is_in(unit))
+            .map(|(english, russian)| language.pick(english, russian))
     }
 }
 

@@ -47,14 +47,19 @@ pub(super) fn check_materials(
         }
         if !has_lost_tables {
             let names = || scene.materials.iter().map(|named| named.name.as_str());
-            found.push_with(|| undefined(name, span, names));
+            found.push_with(|| undefined_material(name, span, names));
         }
         body.material = MaterialChoice::default();
     }
     is_used
 }
 
-fn undefined<'a, I: Iterator<Item = &'a str>>(name: &str, span: Span, names: impl Fn() -> I) -> Diagnostic {
+/// A material that is not defined; `names` are those that are.
+pub(crate) fn undefined_material<'a, I: Iterator<Item = &'a str>>(
+    name: &str,
+    span: Span,
+    names: impl Fn() -> I,
+) -> Diagnostic {
     let mut listing: Vec<String> = names().take(MOST_LISTED).map(quoted_value).collect();
     let help = match names().take(MOST_LISTED + 1).count() {
         0 => match key_to_copy(name).filter(|_| !name.is_empty()) {

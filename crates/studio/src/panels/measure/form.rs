@@ -68,7 +68,7 @@ impl ParameterDraft {
     /// The axis, if one was chosen.
     fn axis(&self) -> Result<Option<Axis>, MeasureFormError> {
         let Some(parameter) = self.parameter else { return Ok(None) };
-        let mut axis = Axis { parameter, values: Vec::new() };
+        let mut axis = Axis { variable: parameter.into(), values: Vec::new() };
         for word in self.values.split([',', ';']).map(str::trim).filter(|word| !word.is_empty()) {
             let wrong = || MeasureFormError::Value(parameter, word.to_owned());
             let value = computed(parameter, word);
@@ -99,7 +99,7 @@ impl MeasureForm {
         let [first, second] = &self.axes;
         let axes: Vec<Axis> = [first.axis()?, second.axis()?].into_iter().flatten().collect();
         if let [one, other] = axes.as_slice()
-            && one.parameter == other.parameter
+            && one.variable == other.variable
         {
             return Err(MeasureFormError::Twice);
         }
@@ -110,6 +110,7 @@ impl MeasureForm {
             settings: RenderSettings { width: self.size[0], height: self.size[1], samples: 1 },
             threads: 0,
             axes,
+            questions: Vec::new(),
             rounds: self.rounds,
             least_time: MeasurePlan::LEAST_TIME,
         })

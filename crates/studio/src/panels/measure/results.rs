@@ -99,7 +99,7 @@ impl ResultsText {
         let laws = laws.filter(|line| line.trim_end_matches(['–', ':', ' ']).chars().count() > 1).collect();
         let ms = |key: &str| cx.texts.with("measure-in-ms", &[("what", cx.texts.get(key).into())]);
         let mut heads: Vec<String> =
-            measured.axes.iter().map(|axis| language.parameter(axis.parameter).to_owned()).collect();
+            measured.axes.iter().map(|axis| language.variable(&axis.variable).into_owned()).collect();
         heads.extend([
             ms("measure-median"),
             ms("measure-interval"),

@@ -67,6 +67,8 @@ impl MeasureTask {
                 let measured = Measurement {
                     name: plan.name.clone(),
                     axes: plan.axes.clone(),
+                    keys: plan.keys(),
+                    questions: plan.questions.clone(),
                     points: progress.points.to_vec(),
                     rounds: plan.rounds,
                     complete: false,

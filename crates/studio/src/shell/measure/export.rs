@@ -17,7 +17,7 @@ use crate::state::methods::report_language;
 pub(super) fn ask(studio: &mut Studio) {
     let measuring = &studio.panes.measure;
     let Some(measured) = measuring.measured.clone().filter(|_| measuring.is_measured()) else { return };
-    let parameters: Vec<&str> = measured.axes.iter().map(|axis| axis.parameter.key()).collect();
+    let parameters: Vec<String> = measured.axes.iter().map(|axis| axis.variable.to_string()).collect();
     let question = FileQuestion {
         kind: FileKind::Folder,
         is_saving: true,

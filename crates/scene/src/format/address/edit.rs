@@ -1,0 +1,344 @@
+//! Changes of values by their addresses: the element as a file would have it, with the new values, read again.
+
+use std::str::FromStr;
+
+use super::error::{AddressError, refused};
+use super::path::ScenePath;
+use super::resolve::{Address, record};
+use super::value::SceneValue;
+use crate::Scene;
+use crate::body::Body;
+use crate::camera::Camera;
+use crate::environment::Environment;
+use crate::format::build::SceneBuilder;
+use crate::format::check::ScenePart;
+use crate::format::diagnostic::{Diagnostic, Diagnostics, Severity};
+use crate::format::message::{Collection, Message};
+use crate::format::quote::quoted;
+use crate::format::read::undefined_material;
+use crate::format::record::{Datum, Record};
+use crate::format::spec::{KeySpec, Kind, TableSpec, When};
+use crate::format::toml::{LogicalLine, LogicalLines, Span, Statement, parse};
+use crate::format::tree::{Schema, Table, TableOrigin};
+use crate::image::Image;
+use crate::light::Light;
+use crate::material::Material;
+use crate::scene_images::HasImages;
+use crate::{MaterialChoice, Tracing};
+
+/// A value to set at an address.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SceneEdit {
+    /// Where.
+    pub path: ScenePath,
+    /// What; `None` takes the key away.
+    pub value: Option<SceneValue>,
+}
+
+/// Reads `PATH=VALUE`; without a value it takes the key away.
+///
+/// ```
+/// let edit: catoptric_scene::SceneEdit = "bodies.ball.shape = cube".parse()?;
+/// assert_eq!((edit.path.to_string().as_str(), edit.value), ("bodies.ball.shape", Some("cube".into())));
+/// # Ok::<(), catoptric_scene::AddressError>(())
+/// ```
+impl FromStr for SceneEdit {
+    type Err = AddressError;
+
+    fn from_str(text: &str) -> Result<Self, AddressError> {
+        let (path, rest) = ScenePath::split(text)?;
+        let Some(value) = rest.strip_prefix('=').map(str::trim) else {
+            return Err(AddressError::new(&path, refused(Message::EqualsAndValueMissing)));
+        };
+        let value = if value.is_empty() { None } else { Some(value.parse()?) };
+        Ok(Self { path, value })
+    }
+}
+
+/// Makes the changes, or none of them.
+pub(super) fn apply(scene: &mut Scene, edits: &[SceneEdit]) -> Result<(), AddressError> {
+    let resolve = |scene: &Scene, edit: &SceneEdit| {
+        Address::resolve(scene, &edit.path).map_err(|found| AddressError::new(&edit.path, found))
+    };
+    // Only where a change can fail behind others must those be taken back.
+    let mut before: Option<Scene> = None;
+    let mut rest = edits;
+    while let Some(first) = rest.first() {
+        let group = resolve(scene, first).and_then(|address| {
+            let mut addresses = vec![address];
+            for edit in rest.iter().skip(1) {
+                match resolve(scene, edit) {
+                    Ok(address) if addresses.iter().all(|first| first.part == address.part) => {
+                        addresses.push(address);
+                    }
+                    _ => break,
+                }
+            }
+            let (group, after) = rest.split_at_checked(addresses.len()).unwrap_or((rest, &[]));
+            if !after.is_empty() && before.is_none() {
+                before = Some(scene.clone());
+            }
+            change_part(scene, &addresses, group).map(|()| after)
+        });
+        match group {
+            Ok(after) => rest = after,
+            Err(error) => {
+                if let Some(before) = before {
+                    *scene = before;
+                }
+                return Err(error);
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Makes changes of one part, which the first address names too.
+fn change_part(scene: &mut Scene, addresses: &[Address], edits: &[SceneEdit]) -> Result<(), AddressError> {
+    let Some(part) = addresses.first().map(|address| address.part.clone()) else { return Ok(()) };
+    let Some(record) = record(scene, &part) else { return Ok(()) };
+    let mut lines = Vec::new();
+    add_lines(&record, &mut Vec::new(), &mut lines);
+    for (number, (address, edit)) in addresses.iter().zip(edits).enumerate() {
+        put(&mut lines, address, edit.value.as_ref(), number)
+            .map_err(|found| AddressError::new(&edit.path, found))?;
+    }
+    let table = record.table.0;
+    let element = Element::read(&part, table, &lines).and_then(|element| element.put_into(scene, &part));
+    element.map_err(|(found, number)| {
+        let edit = number.and_then(|number| edits.get(number)).or(edits.last());
+        AddressError::new(&edit.map(|edit| edit.path.to_string()).unwrap_or_default(), found)
+    })
+}
+
+/// A key of a part and its value, as a line of a file: `material.checker.size = 1.0`.
+struct ElementLine {
+    keys: Vec<&'static str>,
+    value: SceneValue,
+    /// Which of the changes it is from, if it is from one.
+    edit: Option<usize>,
+}
+
+impl ElementLine {
+    /// Whether it is about the key `name` of the table at `table`, or a key within that.
+    fn is_of(&self, table: &[&'static KeySpec], name: &str) -> bool {
+        let names = table.iter().map(|key| key.name).chain([name]);
+        self.keys.len() > table.len() && self.keys.iter().copied().zip(names).all(|(own, name)| own == name)
+    }
+}
+
+/// Adds the lines of a table that is written at `path`.
+fn add_lines(record: &Record<'_>, path: &mut Vec<&'static str>, lines: &mut Vec<ElementLine>) {
+    for (name, datum) in record.written() {
+        path.push(name);
+        match (datum, SceneValue::of_datum(datum)) {
+            (Datum::Table(inner), _) => add_lines(inner, path, lines),
+            (_, Some(value)) => lines.push(ElementLine { keys: path.clone(), value, edit: None }),
+            (_, None) => {}
+        }
+        path.pop();
+    }
+}
+
+/// Puts a value in the place of the old one, and takes away the keys that cannot stand beside it.
+fn put(
+    lines: &mut Vec<ElementLine>,
+    address: &Address,
+    value: Option<&SceneValue>,
+    edit: usize,
+) -> Result<(), Box<Diagnostic>> {
+    let Address { key, tables, .. } = address;
+    let remove = |lines: &mut Vec<ElementLine>, name: &str| lines.retain(|line| !line.is_of(tables, name));
+    let Some(value) = value else {
+        remove(lines, key.name);
+        let needing = address.table.keys.iter().filter(|other| other.requires == Some(key.name));
+        needing.for_each(|other| remove(lines, other.name));
+        return Ok(());
+    };
+    let value = match address.component {
+        None => value.clone(),
+        Some(index) => {
+            let old = lines.iter().find(|line| line.is_of(tables, key.name)).map(|line| line.value.three());
+            let old = old.unwrap_or_else(|| key.default_vector());
+            SceneValue::Vector(with_component(old, index, value).ok_or_else(|| wrong_number(key))?)
+        }
+    };
+    remove(lines, key.name);
+    key.excludes.iter().for_each(|other| remove(lines, other));
+    if let (Kind::Choice(words), SceneValue::Text(word)) = (key.kind, &value)
+        && words.contains(&word.as_str())
+    {
+        for other in address.table.keys {
+            let When::Choice { choice, values } = other.when else { continue };
+            if choice == key.name && !values.contains(&word.as_str()) {
+                remove(lines, other.name);
+            }
+        }
+    }
+    let keys = tables.iter().chain([key]).map(|key| key.name).collect();
+    lines.push(ElementLine { keys, value, edit: Some(edit) });
+    Ok(())
+}
+
+/// Three numbers with another one in a place.
+fn with_component(old: Option<[f64; 3]>, index: usize, value: &SceneValue) -> Option<[f64; 3]> {
+    let (mut vector, SceneValue::Number(number)) = (old?, value) else { return None };
+    *vector.get_mut(index)? = *number;
+    Some(vector)
+}
+
+/// A part that was read.
+enum Element {
+    Camera(Camera),
+    Environment(Environment),
+    Tracing(Tracing),
+    Material(Material),
+    Light(Light),
+    Body(Body),
+}
+
+/// What is wrong, and in which of the changes, if it is in one.
+type Fault = (Box<Diagnostic>, Option<usize>);
+
+impl Element {
+    /// Reads lines by the rules of scene files.
+    fn read(part: &ScenePart, spec: &'static TableSpec, lines: &[ElementLine]) -> Result<Self, Fault> {
+        let mut text = String::new();
+        let mut ends = Vec::with_capacity(lines.len());
+        for line in lines {
+            text.push_str(&format!("{} = {}\n", line.keys.join("."), line.value));
+            ends.push(text.len());
+        }
+        let mut found = Diagnostics::default();
+        let table = table(&text, spec, &mut found);
+        let mut build = SceneBuilder { text: &text, found: &mut found };
+        let element = match part {
+            ScenePart::Camera => Self::Camera(build.camera(&table)),
+            ScenePart::Environment => Self::Environment(build.environment(&table)),
+            ScenePart::Tracing => Self::Tracing(build.tracing(&table)),
+            ScenePart::Material(_) => Self::Material(build.material(&table)),
+            ScenePart::Light(_) => Self::Light(build.light(&table).0),
+            ScenePart::Body(_) => Self::Body(build.body(&table).body),
+        };
+        match found.into_iter().find(|finding| finding.severity == Severity::Error) {
+            None => Ok(element),
+            Some(finding) => {
+                let line = lines.get(ends.partition_point(|&end| end <= finding.span.start));
+                Err((Box::new(finding.clone()), line.and_then(|line| line.edit)))
+            }
+        }
+    }
+
+    /// Puts the part in the place of the old one, unless its names are wrong.
+    fn put_into(self, scene: &mut Scene, part: &ScenePart) -> Result<(), Fault> {
+        match (self, part) {
+            (Self::Camera(camera), _) => scene.camera = camera,
+            (Self::Environment(new), _) => replace(&mut scene.environment, new),
+            (Self::Tracing(tracing), _) => scene.tracing = tracing,
+            (Self::Material(new), ScenePart::Material(index)) => {
+                if let Some(named) = scene.materials.get_mut(*index) {
+                    replace(&mut named.material, new);
+                }
+            }
+            (Self::Light(new), ScenePart::Light(index)) => {
+                let names = scene.lights.iter().map(|light| light.name.as_str());
+                check_name(Collection::Lights, names, *index, &new.name)?;
+                if let Some(light) = scene.lights.get_mut(*index) {
+                    *light = new;
+                }
+            }
+            (Self::Body(new), ScenePart::Body(index)) => {
+                check_body(scene, *index, &new)?;
+                if let Some(body) = scene.bodies.get_mut(*index) {
+                    replace(body, new);
+                }
+            }
+            (Self::Material(_) | Self::Light(_) | Self::Body(_), _) => {}
+        }
+        Ok(())
+    }
+}
+
+/// The lines of a text as a table.
+fn table<'t>(text: &'t str, spec: &'static TableSpec, found: &mut Diagnostics) -> Table<'t> {
+    let mut table = Table::new(Schema::Keys(spec), TableOrigin::ByHeader);
+    let mut lines = LogicalLines::new(text);
+    while let Some(line) = lines.next() {
+        let tokens = match line {
+            LogicalLine::Tokens(tokens) => tokens,
+            LogicalLine::TooLong(span) => {
+                found.push(Diagnostic::error(span.range(), Message::ValueTooLong));
+                continue;
+            }
+        };
+        let parsed = parse(text, tokens);
+        parsed.problems.into_iter().for_each(|problem| found.push(problem));
+        if let Some(Statement::Assignment(assignment)) = parsed.statement {
+            table.assign(assignment, found);
+        }
+    }
+    table
+}
+
+/// Puts a new value in the place of an old one; a picture that stays keeps its pixels.
+fn replace<T: HasImages>(old: &mut T, mut new: T) {
+    let mut opened: Vec<Image> = Vec::new();
+    old.edit_images(&mut |image| opened.push(image.clone()));
+    new.edit_images(&mut |image| {
+        if let Some(same) = opened.iter().find(|old| old.source() == image.source()) {
+            image.clone_from(same);
+        }
+    });
+    *old = new;
+}
+
+fn check_body(scene: &Scene, index: usize, new: &Body) -> Result<(), Fault> {
+    let Some(old) = scene.bodies.get(index) else { return Ok(()) };
+    if old.name != new.name {
+        let names = scene.bodies.iter().map(|body| body.name.as_str());
+        check_name(Collection::Bodies, names, index, &new.name)?;
+    }
+    match &new.material {
+        MaterialChoice::Named(name) if scene.material(&new.material).is_none() => {
+            let names = || scene.materials.iter().map(|named| named.name.as_str());
+            Err((undefined_material(name, Span::default(), names).into(), None))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Refuses a name that another element has.
+fn check_name<'a>(
+    things: Collection,
+    names: impl Iterator<Item = &'a str>,
+    index: usize,
+    name: &str,
+) -> Result<(), Fault> {
+    let mut others = names.enumerate().filter(|(other, _)| *other != index);
+    if name.is_empty() || !others.any(|(_, taken)| taken == name) {
+        return Ok(());
+    }
+    let finding = refused(Message::NameTwice { things, name: quoted(name) });
+    Err((finding.with_help(Message::Rename).into(), None))
+}
+
+/// A part of a vector that is no number.
+fn wrong_number(key: &'static KeySpec) -> Box<Diagnostic> {
+    refused(Message::PartIsNumber { key: key.name }).into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::format::keys;
+
+    #[test]
+    fn lines_are_of_their_key_and_those_around_it() {
+        let line = |keys: &[&'static str]| ElementLine { keys: keys.to_vec(), value: 1.0.into(), edit: None };
+        let material = keys::BODY.key("material").unwrap();
+        let size = line(&["material", "checker", "size"]);
+        assert!(size.is_of(&[], "material") && size.is_of(&[material], "checker"));
+        assert!(!size.is_of(&[], "checker") && !size.is_of(&[material], "size"));
+        assert!(!line(&["material"]).is_of(&[material], "color"));
+    }
+}

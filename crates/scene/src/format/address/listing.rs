@@ -1,0 +1,81 @@
+//! All addresses of a scene.
+
+use super::path::{PathSegment, ScenePath};
+use super::resolve::record;
+use super::value::SceneValue;
+use crate::Scene;
+use crate::format::check::ScenePart;
+use crate::format::record::{Datum, Record};
+use crate::format::spec::{KeySpec, Kind};
+
+/// An address of a scene, what can stand there, and what does.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SceneKey {
+    /// The address.
+    pub path: ScenePath,
+    /// The key of the format: kind of value, limits, meaning.
+    pub spec: &'static KeySpec,
+    /// The present value; `None` for what is absent without a default.
+    pub value: Option<SceneValue>,
+}
+
+/// The addresses of a scene in the order of the format.
+pub(super) fn keys(scene: &Scene) -> impl Iterator<Item = SceneKey> + '_ {
+    let parts = [ScenePart::Camera, ScenePart::Environment, ScenePart::Tracing].into_iter();
+    let materials = (0..scene.materials.len()).map(ScenePart::Material);
+    let lights = (0..scene.lights.len()).map(ScenePart::Light);
+    let bodies = (0..scene.bodies.len()).map(ScenePart::Body);
+    parts.chain(materials).chain(lights).chain(bodies).flat_map(|part| {
+        let mut found = Vec::new();
+        if let Some(record) = record(scene, &part) {
+            add(&record, &segments(scene, &part), &mut found);
+        }
+        found
+    })
+}
+
+/// The beginning of the addresses of a part.
+fn segments(scene: &Scene, part: &ScenePart) -> Vec<PathSegment> {
+    let element = |list: &str, name: &str, index: usize| {
+        let number = || PathSegment::key(&index.to_string());
+        vec![PathSegment::key(list), if name.is_empty() { number() } else { PathSegment::name(name) }]
+    };
+    match *part {
+        ScenePart::Camera => vec![PathSegment::key("camera")],
+        ScenePart::Environment => vec![PathSegment::key("environment")],
+        ScenePart::Tracing => vec![PathSegment::key("tracing")],
+        ScenePart::Material(index) => {
+            let name = scene.materials.get(index).map(|named| named.name.as_str());
+            vec![PathSegment::key("materials"), PathSegment::name(name.unwrap_or_default())]
+        }
+        ScenePart::Light(index) => {
+            element("lights", scene.lights.get(index).map_or("", |light| &light.name), index)
+        }
+        ScenePart::Body(index) => {
+            element("bodies", scene.bodies.get(index).map_or("", |body| &body.name), index)
+        }
+    }
+}
+
+/// Adds the keys of a table that have a meaning.
+fn add(record: &Record<'_>, path: &[PathSegment], found: &mut Vec<SceneKey>) {
+    for spec in record.table.0.keys {
+        if !spec.applies(|choice| record.chosen(choice)) || record.key_against(spec).is_some() {
+            continue;
+        }
+        let segments = [path, &[PathSegment::key(spec.name)]].concat();
+        let datum = record.get(spec.name);
+        let inner = match (datum, spec.kind) {
+            (Some(Datum::Table(inner)), _) => Some(inner),
+            (None, Kind::Table(table)) => Some(&Record::new(table)),
+            _ => None,
+        };
+        if !matches!(spec.kind, Kind::Table(_)) {
+            let value = datum.and_then(SceneValue::of_datum);
+            found.push(SceneKey { path: ScenePath { segments: segments.clone() }, spec, value });
+        }
+        if let Some(inner) = inner {
+            add(inner, &segments, found);
+        }
+    }
+}
