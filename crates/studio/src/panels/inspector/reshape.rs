@@ -46,6 +46,9 @@ pub(super) fn set_height(body: &mut Body, value: f64) {
 
 /// Sets the focal length of a paraboloid, and with it its height.
 pub(super) fn set_focal_length(body: &mut Body, value: f64) {
+    if body.shape.focal_length().is_none() {
+        return;
+    }
     body.shape.set_number("focal_length", value);
     if let (Anchor::Axis { .. }, Some(height)) = (body.placement.anchor, body.shape.height()) {
         set_height(body, height);
@@ -163,9 +166,10 @@ mod tests {
             assert_eq!((body.height(), body.sized_shape().focal_length()), (Some(2.0), Some(0.5)));
         }
         assert_eq!(between.placement.anchor, Anchor::Axis { base: DVec3::Y, top: DVec3::Y * 3.0 });
-        let mut ball = Body::default();
-        set_focal_length(&mut ball, 0.5);
-        assert_eq!(ball, Body::default());
+        let rod = Body { shape: Shape::CYLINDER, ..between.clone() };
+        let mut other = rod.clone();
+        set_focal_length(&mut other, 0.5);
+        assert_eq!(other, rod);
     }
 
     #[test]

@@ -89,10 +89,11 @@ proptest! {
     ) {
         let mirror = Mirror::new(radius, length, DVec3::ZERO, 60.0 * turn);
         let up = mirror.frame.transform_vector3(DVec3::Y);
-        let path = chain(&mirror.scene, ray(mirror.inside(1.0, out, around) - up * 9.0, up));
+        let below = mirror.inside(1.0, out, around) - (mirror.body.height().unwrap() + 1.0) * up;
+        let path = chain(&mirror.scene, ray(below, up));
         prop_assert_eq!(path.len(), 2);
-        prop_assert!(distance_from(&path, 1, mirror.focus) < 2e-6 * (radius + length));
-        prop_assert!(direction(&path[1]).dot(up) < 0.0 || out > 0.0 && length < radius);
+        let miss = distance_from(&path, 1, mirror.focus);
+        prop_assert!(miss < 1e-6 * (radius + length + below.length()), "{miss:e}");
     }
 
     /// Turned, scaled unevenly, tiny, huge and flat, against the quadratic as it stands, in double precision.
@@ -113,16 +114,21 @@ proptest! {
         let (o, d) = (frame.inverse().transform_point3(origin), frame.inverse().transform_vector3(start.direction.as_dvec3()));
         let mut ahead = textbook::crossings(&shape, o, d).into_iter().filter(|(t, _)| *t > 0.0);
         let found = stage_of(vec![placed(shape, placement, mirror())]).closest_hit(&start);
-        // What rounding may decide: rays that graze the surface.
-        let first = ahead.next();
-        let chord = textbook::span(&shape, o, d).map_or(0.0, |(enter, exit)| (exit - enter) / scale.max_element());
-        prop_assume!(chord > 1e-2 || (first.is_none() && found.is_none()));
-        let (t, hit) = (first.unwrap().0, found.unwrap());
+        let (Some((t, _)), Some(hit)) = (ahead.next(), found) else {
+            // Rounding decides only about rays that graze the surface.
+            let chord = textbook::span(&shape, o, d).map_or(0.0, |(enter, exit)| exit - enter);
+            prop_assert!(chord < 1e-2 * scale.max_element() || (ahead.next().is_none() && found.is_none()));
+            return Ok(());
+        };
         let off = (f64::from(hit.hit.t) - t).abs() / scale.max_element();
         let cosine = f64::from(hit.normal.dot(start.direction.into())).abs();
         prop_assert!(off * cosine < 2e-5, "{off:e}, cosine {cosine}");
+        // Points are pulled onto the surface along the axis, which moves them along a steep surface: by rounding in the
+        // units of the shortest axis, as far as bodies are that flat in single precision.
+        let axes = scale * v(radius, height, radius);
+        let flat = (axes.max_element() / axes.min_element()).min(1024.0);
         let exact = frame.transform_point3(o + t * d);
-        prop_assert!(hit.position.distance(exact) * cosine < 2e-5 * scale.max_element());
+        prop_assert!(hit.position.distance(exact) * cosine < (2e-5 + 1e-6 * flat) * axes.max_element());
     }
 }
 
