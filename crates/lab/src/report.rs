@@ -1,5 +1,6 @@
 //! Reports: pages, tables and plots, in English or Russian.
 
+mod csv;
 pub(crate) mod html;
 mod language;
 mod page;

@@ -55,6 +55,12 @@ impl MeasuredPoint {
     pub fn number(&self) -> Option<f64> {
         self.values.first()?.number()
     }
+
+    /// The median time of preparing the scene, milliseconds; NaN before the first measurement.
+    pub fn preparing(&self) -> f64 {
+        let times: Vec<f64> = self.runs.iter().map(|run| run.prepare).collect();
+        summarize(&times).map_or(f64::NAN, |summary| summary.median)
+    }
 }
 
 /// The law that is expected of a parameter; none of a value of the scene.

@@ -5,10 +5,11 @@ use std::fmt::Write as _;
 
 use catoptric_picture::{BitDepth, Development, encode_png};
 
+use super::csv::{points_csv, runs_csv};
 use super::language::Language;
 use super::plot::{Plot, PlotAxis, PlotCurve, PlotMark};
 use super::raster::{RasterError, rasterize};
-use super::tables::{Table, csv_line, markdown, tex};
+use super::tables::{Table, markdown, tex};
 use super::texts::fill;
 use crate::machine::Machine;
 use crate::measure::{
@@ -80,107 +81,6 @@ fn png(svg: &str) -> Result<Vec<u8>, RasterError> {
     let picture = rasterize(svg, SHARPNESS)?;
     let developed = Development::default().develop(&picture, BitDepth::Eight)?;
     Ok(encode_png(&developed)?)
-}
-
-/// The heads of the columns that say where a point is.
-fn place_heads(measured: &Measurement) -> Vec<String> {
-    let axes = measured.axes.iter().map(|axis| axis.variable.to_string());
-    axes.chain(
-        ["method", "bodies", "width", "height", "samples", "generations", "threads"]
-            .map(|head| format!("drawn_{head}")),
-    )
-    .collect()
-}
-
-fn place(point: &MeasuredPoint) -> Vec<String> {
-    let values = point.values.iter().map(ToString::to_string);
-    let settings = point.settings;
-    values
-        .chain([
-            point.method.clone(),
-            point.bodies.to_string(),
-            settings.width.to_string(),
-            settings.height.to_string(),
-            settings.samples.to_string(),
-            point.generations.to_string(),
-            point.threads.to_string(),
-        ])
-        .collect()
-}
-
-fn runs_csv(measured: &Measurement) -> String {
-    let heads = ["round", "repeats", "prepare_ms", "draw_ms", "passes_ms"].map(str::to_owned);
-    let mut text = csv_line(&[place_heads(measured), heads.to_vec()].concat());
-    for point in &measured.points {
-        for run in &point.runs {
-            let passes: Vec<String> =
-                run.passes.iter().map(|(pass, time)| format!("{}={time:.4}", pass.name())).collect();
-            let fields = [
-                run.round.to_string(),
-                point.repeats.to_string(),
-                format!("{:.4}", run.prepare),
-                format!("{:.4}", run.draw),
-                passes.join(" "),
-            ];
-            text.push_str(&csv_line(&[place(point), fields.to_vec()].concat()));
-        }
-    }
-    text
-}
-
-fn points_csv(curves: &[Series<'_>], measured: &Measurement) -> String {
-    let heads = [
-        "runs",
-        "median_ms",
-        "low_ms",
-        "high_ms",
-        "coverage",
-        "least_ms",
-        "greatest_ms",
-        "outliers",
-        "prepare_ms",
-        "law_ms",
-        "rays_primary",
-        "rays_shadow",
-        "rays_reflected",
-        "rays_refracted",
-    ];
-    let answers = measured.questions.iter().filter(|question| **question != PictureQuestion::Rays);
-    let answers = answers.flat_map(PictureQuestion::columns).collect();
-    let mut text = csv_line(&[place_heads(measured), heads.map(str::to_owned).to_vec(), answers].concat());
-    for curve in curves {
-        for (point, summary) in &curve.points {
-            let law = curve.law.as_ref().zip(point.number()).map(|(law, x)| format!("{:.4}", law.at(x)));
-            let ms = |value: f64| format!("{value:.4}");
-            let fields = vec![
-                summary.count.to_string(),
-                ms(summary.median),
-                ms(summary.low),
-                ms(summary.high),
-                ms(summary.coverage),
-                ms(summary.least),
-                ms(summary.greatest),
-                summary.outliers.len().to_string(),
-                ms(preparing(point)),
-                law.unwrap_or_default(),
-                point.rays.primary.to_string(),
-                point.rays.shadow.to_string(),
-                point.rays.reflected.to_string(),
-                point.rays.refracted.to_string(),
-            ];
-            let answers = measured.questions.iter().zip(&point.answers);
-            let answers = answers.filter(|(question, _)| **question != PictureQuestion::Rays);
-            let answers = answers.flat_map(|(_, numbers)| numbers).map(f64::to_string).collect();
-            text.push_str(&csv_line(&[place(point), fields, answers].concat()));
-        }
-    }
-    text
-}
-
-/// The median time of preparing.
-fn preparing(point: &MeasuredPoint) -> f64 {
-    let times: Vec<f64> = point.runs.iter().map(|run| run.prepare).collect();
-    crate::measure::summarize(&times).map_or(f64::NAN, |summary| summary.median)
 }
 
 /// What a reader must know of a machine, rows of a name and a value.
@@ -314,7 +214,6 @@ impl ReportWriter<'_> {
     }
 
     fn time_plot(&self) -> Plot {
-        let language = self.language;
         let marks = |curve: &Series<'_>| {
             let marks = curve.points.iter().zip(0_u32..).map(|((point, summary), index)| {
                 let all = point.runs.iter().enumerate();
@@ -329,7 +228,8 @@ impl ReportWriter<'_> {
             marks: marks(curve),
             law: curve.law.as_ref().map(|fit| self.law_curve(curve, fit)),
         });
-        self.plot(self.filled(language.plot_caption()), language.time_axis(), curves.collect())
+        let caption = self.figure_caption(ReportFigure::Time, str::to_owned);
+        self.plot(caption, self.language.time_axis(), curves.collect())
     }
 
     fn rays_plot(&self) -> Plot {
@@ -422,7 +322,7 @@ impl ReportWriter<'_> {
                 language.interval(summary.low, summary.high, 3),
                 summary.count.to_string(),
                 summary.outliers.len().to_string(),
-                language.significant(preparing(point), 3),
+                language.significant(point.preparing(), 3),
                 language.count(point.rays.total()),
             ])
             .collect()
@@ -579,7 +479,13 @@ impl ReportWriter<'_> {
 
     fn figure_caption(&self, figure: ReportFigure, escape: Escape) -> String {
         match figure {
-            ReportFigure::Time => self.filled_with(self.language.plot_caption(), escape),
+            ReportFigure::Time => {
+                let has_law = self.curves.iter().any(|curve| curve.law.is_some());
+                let language = self.language;
+                let text =
+                    if has_law { language.plot_caption() } else { language.plot_caption_without_law() };
+                self.filled_with(text, escape)
+            }
             ReportFigure::Rays if self.varies(Parameter::Generations) => {
                 self.language.rays_caption().to_owned()
             }

@@ -136,6 +136,10 @@ texts! {
         dots, outliers as rings, and the law fitted.",
         "Время построения сцены {scene} в зависимости от {parameter}: медианы с 95-процентными интервалами, точки — все \
         измерения, кольца — выбросы, линия — подобранный закон.";
+    plot_caption_without_law: "Time of drawing {scene} depending on {parameter}: medians with 95 % intervals, all \
+        measurements as dots, outliers as rings.",
+        "Время построения сцены {scene} в зависимости от {parameter}: медианы с 95-процентными интервалами, точки — все \
+        измерения, кольца — выбросы.";
     rays_caption: "Rays traced for one picture depending on the limit of generations, with the law fitted.",
         "Число лучей на одно изображение в зависимости от ограничения числа поколений и подобранный закон.";
     median: "Median", "Медиана";
@@ -288,7 +292,8 @@ impl Language {
                 self.choose("Blue", "Синий"),
                 self.choose("Luminance, linear light", "Яркость, линейный свет"),
             ],
-            PictureQuestion::Flip => &["ꟻLIP"],
+            // The font of the plots has no reversed F.
+            PictureQuestion::Flip => &["FLIP"],
             PictureQuestion::Rays => &[
                 self.choose("Primary", "Первичные"),
                 self.choose("Shadow", "Теневые"),

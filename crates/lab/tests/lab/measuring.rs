@@ -355,6 +355,7 @@ fn what_a_picture_answers_is_reported() {
         let markdown = text(&study, "report.md");
         assert!(markdown.contains(&format!("| bodies.ball.radius, {said} |")), "{markdown}");
         assert!(markdown.contains("bodies.ball.radius") && markdown.contains("(mean.svg)"), "{markdown}");
+        assert!(!markdown.contains("law fitted") && !markdown.contains("подобранный закон"), "{markdown}");
         let law = study.laws.join("\n");
         assert!(law.contains(["No law is expected", "закон не предполагается"][language as usize]), "{law}");
         let csv = text(&study, "points.csv");
