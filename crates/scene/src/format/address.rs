@@ -40,7 +40,7 @@ impl Scene {
     }
 
     /// Sets the value at an address as a scene file would. Only the element is looked at, however many others there
-    /// are, unless the value is a name.
+    /// are; their names are where the address or the value is a name.
     ///
     /// - A choice (`shape`, `model`, `projection`, `falloff`) keeps the values that the new word knows too and drops the
     ///   others. Without `base` and `top`, a body stands at the origin.

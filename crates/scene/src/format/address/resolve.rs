@@ -21,7 +21,7 @@ use crate::format::typed::{inapplicable, key_help};
 use crate::material::MaterialChoice;
 
 /// What is wrong with an address.
-type Refused = Box<Diagnostic>;
+type Refusal = Box<Diagnostic>;
 
 /// A place in a scene.
 #[derive(Debug)]
@@ -38,7 +38,7 @@ pub(super) struct Address {
 }
 
 impl Address {
-    pub(super) fn resolve(scene: &Scene, path: &ScenePath) -> Result<Self, Refused> {
+    pub(super) fn resolve(scene: &Scene, path: &ScenePath) -> Result<Self, Refusal> {
         let mut rest = path.segments.iter();
         let Some(first) = rest.next() else { return Err(refused(Message::PathIs).into()) };
         let root = find(&keys::ROOT, first)?;
@@ -68,7 +68,7 @@ impl Address {
     }
 
     /// The value there.
-    pub(super) fn value(&self, scene: &Scene) -> Result<SceneValue, Refused> {
+    pub(super) fn value(&self, scene: &Scene) -> Result<SceneValue, Refusal> {
         let key = self.key;
         if let Kind::Table(table) = key.kind {
             return Err(is_table(quoted(key.name), table));
@@ -93,7 +93,7 @@ impl Address {
         }
     }
 
-    /// The record of the table of the last key.
+    /// The record of the table of the key.
     fn inner<'a, 'r>(&self, record: &'a Record<'r>) -> Option<&'a Record<'r>> {
         self.tables.iter().try_fold(record, |record, key| match record.get(key.name) {
             Some(Datum::Table(inner)) => Some(inner),
@@ -115,7 +115,7 @@ pub(super) fn record<'a>(scene: &'a Scene, part: &ScenePart) -> Option<Record<'a
 }
 
 /// The key of a table that a segment names.
-fn find(table: &'static TableSpec, segment: &PathSegment) -> Result<&'static KeySpec, Refused> {
+fn find(table: &'static TableSpec, segment: &PathSegment) -> Result<&'static KeySpec, Refusal> {
     table.key(&segment.text).ok_or_else(|| {
         let key = Key { text: segment.text.as_str().into(), span: Span::default() };
         unknown_key(&key, table).into()
@@ -127,7 +127,7 @@ fn part(
     scene: &Scene,
     root: &'static KeySpec,
     rest: &mut slice::Iter<'_, PathSegment>,
-) -> Result<(ScenePart, &'static TableSpec), Refused> {
+) -> Result<(ScenePart, &'static TableSpec), Refusal> {
     let mut element = |table: &'static TableSpec| rest.next().ok_or_else(|| is_list(root, table));
     Ok(match root.kind {
         Kind::Named(table) => {
@@ -158,7 +158,7 @@ fn place_in_list<'a, I: Iterator<Item = &'a str>>(
     segment: &PathSegment,
     count: usize,
     names: impl Fn() -> I,
-) -> Result<usize, Refused> {
+) -> Result<usize, Refusal> {
     let place = match segment.number() {
         Some(number) => Some(number).filter(|number| *number < count),
         None => names().position(|name| !name.is_empty() && name == segment.text),
@@ -178,7 +178,7 @@ fn place_in_list<'a, I: Iterator<Item = &'a str>>(
 }
 
 /// Refuses keys of the material of a body that shares a named one.
-fn check_is_own(scene: &Scene, part: &ScenePart) -> Result<(), Refused> {
+fn check_is_own(scene: &Scene, part: &ScenePart) -> Result<(), Refusal> {
     let ScenePart::Body(index) = *part else { return Ok(()) };
     match scene.bodies.get(index).map(|body| &body.material) {
         Some(MaterialChoice::Named(name)) => {
@@ -193,7 +193,7 @@ fn check_is_own(scene: &Scene, part: &ScenePart) -> Result<(), Refused> {
 }
 
 /// The place of a number of a vector or color.
-fn component(key: &'static KeySpec, segment: &PathSegment) -> Result<usize, Refused> {
+fn component(key: &'static KeySpec, segment: &PathSegment) -> Result<usize, Refusal> {
     let letter = |letters: [&str; 3]| letters.iter().position(|letter| *letter == segment.text);
     let named = match key.kind {
         Kind::Vector(_) | Kind::NumberOrVector(_) => letter(["x", "y", "z"]),
@@ -203,7 +203,7 @@ fn component(key: &'static KeySpec, segment: &PathSegment) -> Result<usize, Refu
     named.or(segment.number().filter(|number| *number < 3)).ok_or_else(|| no_part(key, segment))
 }
 
-fn no_part(key: &'static KeySpec, segment: &PathSegment) -> Refused {
+fn no_part(key: &'static KeySpec, segment: &PathSegment) -> Refusal {
     let finding = refused(Message::NoSuchPart { key: key.name, part: quoted(&segment.text) });
     let parts = match key.kind {
         Kind::Vector(_) | Kind::NumberOrVector(_) => ["`x`", "`y`", "`z`"],
@@ -214,17 +214,17 @@ fn no_part(key: &'static KeySpec, segment: &PathSegment) -> Refused {
     finding.with_help(Message::PartsAre { key: key.name, parts }).into()
 }
 
-fn is_table(name: String, table: &'static TableSpec) -> Refused {
+fn is_table(name: String, table: &'static TableSpec) -> Refusal {
     let keys = Enumeration::of_keys(table.keys.iter());
     refused(Message::IsATable { name }).with_help(Message::KeysAre { table, keys }).into()
 }
 
-fn is_list(list: &'static KeySpec, table: &'static TableSpec) -> Refused {
+fn is_list(list: &'static KeySpec, table: &'static TableSpec) -> Refusal {
     is_table(quoted(list.name), table)
 }
 
 /// The reason why a key has no value in a table.
-fn why_absent(record: &Record<'_>, key: &'static KeySpec) -> Refused {
+fn why_absent(record: &Record<'_>, key: &'static KeySpec) -> Refusal {
     if let When::Choice { choice, .. } = key.when
         && let Some(chosen) = record.chosen(choice)
         && let Some(finding) = inapplicable(record.table.0, key, chosen, false, Span::default())
@@ -239,7 +239,7 @@ fn why_absent(record: &Record<'_>, key: &'static KeySpec) -> Refused {
     }
 }
 
-fn absent(key: &'static KeySpec) -> Refused {
+fn absent(key: &'static KeySpec) -> Refusal {
     let meaning = KeyMeaning { key, has_range: true };
     refused(Message::AbsentKey { key: key.name }).with_help(Message::KeyMeans { meaning }).into()
 }
