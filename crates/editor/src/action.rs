@@ -156,6 +156,7 @@ impl Action {
         "edit-add-cube",
         "edit-add-cylinder",
         "edit-add-cone",
+        "edit-add-paraboloid",
         "edit-add-plane",
         "edit-add-light",
         "edit-add-material",

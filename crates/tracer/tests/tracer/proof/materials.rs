@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 use catoptric_optics::{METALS, Metal, fresnel};
 use catoptric_scene::{
     Attenuation, Body, Checker, Coated, Color, Conductor, Dielectric, Environment, Light, Material,
-    MetalOptics, Mirror, Model, Pattern, Phong, Scene, Shape, ThinDielectric,
+    MetalOptics, Mirror, Model, ParaboloidDepth, Pattern, Phong, Scene, Shape, ThinDielectric,
 };
 use catoptric_tracer::{BranchOutcome, RayKind, RayRecord, WhittedIntegrator};
 use glam::{DVec3, UVec2, Vec3};
@@ -177,7 +177,7 @@ fn furnace(material: &Material) -> Scene {
     let shapes = [
         (Shape::SPHERE, -3.0),
         (Shape::CUBE, -0.9),
-        (Shape::PARABOLOID, -1.8),
+        (Shape::Paraboloid { radius: 0.18, depth: ParaboloidDepth::Height(0.5) }, -1.8),
         (Shape::Cylinder { radius: 0.5, height: 1.4 }, 0.9),
         (Shape::Cone { radius: 0.7, top_radius: 0.2, height: 1.3 }, 2.6),
     ];
