@@ -3,12 +3,14 @@
 use catoptric_editor::{Action, Editor, Item};
 use catoptric_live::Live;
 use catoptric_scene::Example;
+use egui::Ui;
 use egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 
 use crate::base::held_keys::HeldKeys;
 use crate::base::texts::{Language, Texts};
+use crate::base::theme;
 use crate::panels::history::history_ui;
 use crate::panels::outliner::{Outliner, outliner_ui};
 use crate::state::audit::AuditState;
@@ -24,6 +26,8 @@ use crate::state::view::ViewState;
 /// What a context borrows, and the state of a panel.
 struct PanelKit<P> {
     panel: P,
+    /// Whether the theme with its fonts is installed, which a frame needs to begin with.
+    has_theme: bool,
     editor: Editor,
     texts: Texts,
     settings: Settings,
@@ -44,6 +48,7 @@ impl<P: Default> PanelKit<P> {
         let scene = Example::find(example).unwrap().load().unwrap().scene;
         Self {
             panel: P::default(),
+            has_theme: false,
             editor: Editor::new(scene),
             texts: Texts::new(Language::English),
             settings: Settings::default(),
@@ -61,6 +66,16 @@ impl<P: Default> PanelKit<P> {
 }
 
 impl<P> PanelKit<P> {
+    /// Draws the panel, after the frame that installs the theme.
+    fn draw(&mut self, ui: &mut Ui, draw: impl FnOnce(&mut Ui, &mut Cx<'_>, &mut P)) {
+        if std::mem::replace(&mut self.has_theme, true) {
+            let (panel, mut cx) = self.parts();
+            draw(ui, &mut cx, panel);
+        } else {
+            theme::install(ui.ctx());
+        }
+    }
+
     fn parts(&mut self) -> (&mut P, Cx<'_>) {
         let cx = Cx {
             editor: &mut self.editor,
@@ -82,10 +97,7 @@ impl<P> PanelKit<P> {
 
 #[test]
 fn the_outliner_selects_and_asks_for_commands() {
-    let draw = |ui: &mut egui::Ui, kit: &mut PanelKit<Outliner>| {
-        let (outliner, mut cx) = kit.parts();
-        outliner_ui(ui, &mut cx, outliner);
-    };
+    let draw = |ui: &mut Ui, kit: &mut PanelKit<Outliner>| kit.draw(ui, outliner_ui);
     let mut harness =
         Harness::builder().with_size([300.0, 700.0]).build_ui_state(draw, PanelKit::new("four-bodies"));
     harness.run_steps(3);
@@ -109,7 +121,7 @@ fn the_outliner_selects_and_asks_for_commands() {
 
 #[test]
 fn the_history_goes_to_the_step_that_is_clicked() {
-    let draw = |ui: &mut egui::Ui, kit: &mut PanelKit<()>| history_ui(ui, &mut kit.parts().1);
+    let draw = |ui: &mut Ui, kit: &mut PanelKit<()>| kit.draw(ui, |ui, cx, ()| history_ui(ui, cx));
     let mut kit = PanelKit::<()>::new("four-bodies");
     let bodies = kit.editor.scene().bodies.len();
     kit.editor.select(Item::Body(0));
