@@ -258,3 +258,26 @@ fn physical_materials_are_lit_as_traced_ones() {
         assert!(of_cube.iter().any(|(traced, _)| traced.iter().any(|part| *part > 0.05)), "it is lit");
     }
 }
+
+/// So many fine balls do not go into one batch of faces: whichever batch is drawn last, the nearest face is seen.
+#[test]
+fn batches_hide_each_other_in_any_order() {
+    let ball_at = |step: f64| {
+        let color = chalk(0.1 + 0.1 * step, 0.9 - 0.1 * step, 0.5);
+        ball(0.8, v(0.4 * step - 1.2, 0.1 * step, -1.5 * step), color)
+    };
+    let mut bodies: Vec<_> = (0..8).map(|step| ball_at(f64::from(step))).collect();
+    let picture_of = |bodies: Vec<_>, method: Method| {
+        let camera = camera(v(0.0, 0.3, 7.0), DVec3::ZERO, 30.0);
+        let scene = scene(bodies, camera, vec![light(v(3.0, 4.0, 5.0), 0.8)]);
+        let settings = catoptric_tracer::RenderSettings { samples: 2, ..size(120, 90) };
+        drawn(&render_scene(&scene), method, settings).picture
+    };
+    for method in [Method::Flat, Method::Phong].map(|method| method(fine(128))) {
+        let in_order = picture_of(bodies.clone(), method);
+        bodies.reverse();
+        assert_eq!(picture_of(bodies.clone(), method), in_order);
+        bodies.reverse();
+        assert_ne!(picture_of(bodies[..7].to_vec(), method), in_order);
+    }
+}
