@@ -1,5 +1,6 @@
 //! The whole check, cheapest parts first.
 
+use std::fs;
 use std::path::PathBuf;
 use std::process::Command;
 use std::time::Instant;
@@ -88,7 +89,10 @@ fn checks(extent: Extent) -> Result<Vec<String>> {
 
 /// Draws the picture, and asks the same program for the studio, which it does not have.
 fn first_command() -> Result<()> {
-    let picture = root().join("target/whitted.png");
+    let folder = root().join("target");
+    // Builds may go elsewhere.
+    fs::create_dir_all(&folder)?;
+    let picture = folder.join("whitted.png");
     let picture = picture.to_string_lossy();
     let render = ["--", "render", "whitted", "-o", &picture, "--samples", "16"];
     run_cargo(&[&["run"], &SLIM[..], &render].concat())?;
