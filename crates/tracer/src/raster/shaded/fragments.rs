@@ -107,17 +107,19 @@ impl SampleBuffers {
 struct FragmentBand<'b> {
     /// The first row in the picture.
     y: usize,
-    /// Pixels from one row to the next.
+    /// Pixels from one row of the picture to the next.
     width: usize,
-    /// As `width`, of depths and triangles.
+    /// Pixels from one row of the visibility buffer to the next.
     stride: usize,
     /// Where the light of samples adds up.
     sums: &'b mut [DVec3],
-    /// As of [`SampleBuffers`].
+    /// The light of faces of earlier batches; empty as long as there are none.
     earlier: &'b mut [[f32; 3]],
-    /// As of [`SampleBuffers`]; empty in other samples than the first.
+    /// The body that each pixel shows; empty in other samples than the first.
     bodies: &'b mut [u32],
+    /// Distances of the nearest faces along the view, meters.
     depths: &'b [f64],
+    /// Numbers of the nearest triangles of the batch.
     triangles: &'b [u32],
 }
 
@@ -245,7 +247,7 @@ fn block_places<W: Width>((x, y): (usize, usize), offset: DVec2) -> [[f64; MOST_
 struct BlockFragments<W: Width> {
     /// Body and side, as a word.
     start: W::W,
-    /// As the corners of faces have them.
+    /// The interpolated values of the triangles' corners.
     values: [Vector<W::R>; 3],
 }
 
