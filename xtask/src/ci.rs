@@ -1,13 +1,13 @@
 //! The whole check, cheapest parts first.
 
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Instant;
 
 use anyhow::{Context as _, Result, ensure};
 use xtask::root;
-use xtask::shell::{self, command, exists};
+use xtask::shell::{self, command, exists, output};
 
 use crate::{licenses, packages};
 
@@ -22,6 +22,9 @@ pub(crate) enum Extent {
 
 /// The program without what its first picture does not need.
 const SLIM: [&str; 3] = ["--release", "--locked", "--no-default-features"];
+
+/// Other systems that the program is written for: it is compiled for them as far as that goes without their linkers.
+const TARGETS: [&str; 2] = ["aarch64-apple-darwin", "x86_64-pc-windows-gnu"];
 
 /// Runs everything and says what had to be skipped.
 pub(crate) fn run(extent: Extent) -> Result<()> {
@@ -72,6 +75,9 @@ fn checks(extent: Extent) -> Result<Vec<String>> {
         let slim = ["--package", "catoptric", "--no-default-features"];
         run_cargo(&[&["clippy", "--locked"], &slim[..], &["--", "-D", "warnings"]].concat())
     })?;
+    for target in TARGETS {
+        skipped.extend(check_for(target)?);
+    }
     step("documentation", || {
         let arguments = ["doc", "--workspace", "--no-deps", "--locked", "--document-private-items"];
         shell::run(cargo(&arguments).env("RUSTDOCFLAGS", "-D warnings"))
@@ -85,6 +91,24 @@ fn checks(extent: Extent) -> Result<Vec<String>> {
         skipped.extend(deny()?);
     }
     Ok(skipped)
+}
+
+/// Checks the program's Rust for another system; returns why that cannot be done, if so.
+fn check_for(target: &str) -> Result<Option<String>> {
+    let library = output(&mut command("rustc", &["--print", "target-libdir", "--target", target]))?;
+    if !Path::new(library.trim()).exists() {
+        let advice = format!("its standard library is not installed (rustup target add {target})");
+        return Ok(Some(format!("the program on {target}: {advice}")));
+    }
+    step(&format!("the program on {target}"), || {
+        let mut check = cargo(&["check", "--package", "catoptric", "--locked", "--target", target]);
+        // Nothing is linked, so that what is written in C need not be compiled.
+        for tool in ["CC", "CXX", "AR"] {
+            check.env(format!("{tool}_{}", target.replace('-', "_")), "true");
+        }
+        shell::run(check.env("RUSTFLAGS", "-D warnings"))
+    })
+    .map(|()| None)
 }
 
 /// Draws the picture, and asks the same program for the studio, which it does not have.

@@ -20,6 +20,7 @@ Usage: cargo xtask COMMAND
   ci           The whole check: format, lints, documentation, dependencies, the README's first command, tests
   ci --long    The same, and cargo deny
   dist         Make an archive of the program for Linux
+  dist --try   The same, and try it on a bare Debian system (as root, with debootstrap)
   help         List the other commands, those of the workbench: measurements, pictures of the documents
 ";
 
@@ -30,7 +31,8 @@ fn main() -> Result<()> {
         [] | ["-h" | "--help"] => print!("{HELP}"),
         ["ci"] => ci::run(ci::Extent::Usual)?,
         ["ci", "--long"] => ci::run(ci::Extent::Long)?,
-        ["dist"] => dist::run()?,
+        ["dist"] => dist::run(false)?,
+        ["dist", "--try"] => dist::run(true)?,
         ["ci" | "dist", ..] => bail!("wrong arguments: {}\n\n{HELP}", words.join(" ")),
         _ => workbench(&words)?,
     }

@@ -15,6 +15,7 @@
 
 pub(crate) mod double;
 pub(crate) mod eight;
+#[cfg(target_arch = "x86_64")]
 pub(crate) mod pair;
 pub(crate) mod scalar;
 pub(crate) mod vector;
@@ -194,6 +195,8 @@ pub(crate) trait Width: Copy {
     fn eight_like(self, value: f32) -> Self::E;
     /// Runs `act` where the compiler may use the instructions of this width.
     fn run<T>(self, act: impl FnOnce() -> T) -> T;
+    /// Runs `act`, in a function of its own where short code counts for more than quick code.
+    fn run_once<T>(self, act: impl FnOnce() -> T) -> T;
 }
 
 /// Work that is written over a width.
@@ -201,4 +204,13 @@ pub(crate) trait SimdKernel {
     type Output;
 
     fn run<W: Width>(self, w: W) -> Self::Output;
+}
+
+/// Work with code of its own for plain scenes.
+pub(crate) trait SceneKernel: SimdKernel {
+    /// The work by code for all scenes.
+    type General: SimdKernel<Output = Self::Output>;
+
+    /// What is run in widths for which one kind of code is enough.
+    fn general(self) -> Self::General;
 }

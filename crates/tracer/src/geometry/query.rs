@@ -384,7 +384,10 @@ impl<'a, W: Width> RayQuery<'a, W> {
         lanes: W::M,
         inside: W::M,
     ) -> Option<BodyIntersection<W>> {
-        let span = self.geometry.span(self.w, body, self.origin, self.direction);
+        let span = self.w.run_once(
+            #[inline(always)]
+            || self.geometry.span(self.w, body, self.origin, self.direction),
+        );
         if !(lanes & (inside | span.hit)).any() {
             return None;
         }

@@ -89,6 +89,11 @@ impl<W: Width> Width for PairWidth<W> {
     fn run<T>(self, act: impl FnOnce() -> T) -> T {
         self.0.run(act)
     }
+
+    #[inline(always)]
+    fn run_once<T>(self, act: impl FnOnce() -> T) -> T {
+        self.0.run_once(act)
+    }
 }
 
 macro_rules! operators {

@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Mul, Sub};
 
-use crate::simd::wide::widest_fuses;
+use crate::simd::wide::times_plus_like_widest;
 use crate::simd::{Float, Float8, Float32, Mask, Width, Word};
 
 /// One number.
@@ -73,8 +73,14 @@ impl Width for ScalarWidth {
         ScalarFloat8([value; 8])
     }
 
-    #[inline(always)]
+    // Single rays are few, and their code would be copied to each place that traces one.
+    #[inline(never)]
     fn run<T>(self, act: impl FnOnce() -> T) -> T {
+        act()
+    }
+
+    #[inline(never)]
+    fn run_once<T>(self, act: impl FnOnce() -> T) -> T {
         act()
     }
 }
@@ -150,7 +156,7 @@ impl Float for f32 {
 
     #[inline(always)]
     fn times_plus(self, factor: f32, term: f32) -> f32 {
-        if widest_fuses() { self.mul_add(factor, term) } else { self * factor + term }
+        times_plus_like_widest(self, factor, term)
     }
 
     #[inline(always)]

@@ -8,8 +8,9 @@ use fearless_simd::{
 };
 
 use crate::simd::eight::SimdFloat8;
+#[cfg(target_arch = "x86_64")]
 use crate::simd::pair::PairWidth;
-use crate::simd::{Float, Float32, MOST_LANES, Mask, SimdKernel, Width, Word};
+use crate::simd::{Float, Float32, MOST_LANES, Mask, SceneKernel, SimdKernel, Width, Word};
 
 /// A width that the processor has.
 #[derive(Clone, Copy, Debug)]
@@ -66,13 +67,16 @@ impl SimdLevel {
     /// Whether it rounds as the widest of this processor does.
     #[cfg(test)]
     pub(crate) fn rounds_like_widest(self) -> bool {
-        fuses(self.level) == fuses(Level::new())
+        #[cfg(target_arch = "x86_64")]
+        return self.level.as_avx2().is_some() == Level::new().as_avx2().is_some();
+        #[cfg(not(target_arch = "x86_64"))]
+        true
     }
 
     /// Does `work` in this width.
     #[cfg(target_arch = "x86_64")]
-    pub(crate) fn run<T: SimdKernel>(self, work: T) -> T::Output {
-        // What has no AVX2 is old: one kind of code, SSE2, serves all of it.
+    pub(crate) fn run<T: SceneKernel>(self, work: T) -> T::Output {
+        // What has no AVX2 is old: one kind of code, SSE2, serves all of it. Bodies in double precision are rare, too.
         match (self.level, self.packets) {
             (Level::Avx512(simd), Packets::Vectors) => run::<_, false, _>(simd, work),
             (Level::Avx512(simd), Packets::Pairs) => simd.vectorize(
@@ -81,8 +85,8 @@ impl SimdLevel {
             ),
             (Level::Avx2(simd), Packets::Vectors | Packets::Pairs) => run::<_, false, _>(simd, work),
             (level, _) => match (level.as_avx2(), level.as_sse2()) {
-                (Some(simd), _) => run::<_, true, _>(simd, work),
-                (None, Some(simd)) => run::<_, true, _>(simd, work),
+                (Some(simd), _) => run::<_, true, _>(simd, work.general()),
+                (None, Some(simd)) => run::<_, true, _>(simd, work.general()),
                 (None, None) => unreachable!("x86-64 has SSE2 at least"),
             },
         }
@@ -105,20 +109,23 @@ impl SimdLevel {
     /// Does `work` in this width.
     #[cfg(not(target_arch = "x86_64"))]
     pub(crate) fn run_in_few<T: SimdKernel>(self, work: T) -> T::Output {
-        self.run(work)
+        fearless_simd::dispatch!(self.level, simd => work.run(SimdWidth::<_, true>(simd)))
     }
 
     /// Does `work` in this width.
     #[cfg(not(target_arch = "x86_64"))]
-    pub(crate) fn run<T: SimdKernel>(self, work: T) -> T::Output {
-        fearless_simd::dispatch!(self.level, simd => work.run(SimdWidth::<_, true>(simd)))
+    pub(crate) fn run<T: SceneKernel>(self, work: T) -> T::Output {
+        match self.packets {
+            Packets::Vectors | Packets::Pairs => self.run_in_few(work),
+            Packets::WithDoubles => self.run_in_few(work.general()),
+        }
     }
 }
 
 /// Does `work` in vectors of one kind.
 #[cfg(target_arch = "x86_64")]
-fn run<S: Simd, const DOUBLES: bool, T: SimdKernel>(simd: S, work: T) -> T::Output {
-    simd.vectorize(
+fn run<S: InstructionSet, const DOUBLES: bool, T: SimdKernel>(simd: S, work: T) -> T::Output {
+    simd.run(
         #[inline(always)]
         || work.run(SimdWidth::<S, DOUBLES>(simd)),
     )
@@ -147,20 +154,53 @@ fn code_cache_bytes() -> usize {
     0
 }
 
-/// Whether vectors of this level multiply and add in one go.
-fn fuses(level: Level) -> bool {
-    #[cfg(target_arch = "x86_64")]
-    return level.as_avx2().is_some();
-    #[cfg(not(target_arch = "x86_64"))]
-    return cfg!(target_feature = "neon");
+/// x·`factor` + `term`, rounded as the widest vectors of this processor round it. Not inlined: the code of single rays has
+/// thousands of them.
+#[cfg(target_arch = "x86_64")]
+#[inline(never)]
+pub(crate) fn times_plus_like_widest(x: f32, factor: f32, term: f32) -> f32 {
+    match Level::new().as_avx2() {
+        Some(simd) => simd.vectorize(
+            #[inline(always)]
+            || x.mul_add(factor, term),
+        ),
+        None => x * factor + term,
+    }
 }
 
-/// Whether the widest vectors of this processor multiply and add in one go: what single numbers do as well.
-#[inline]
-pub(crate) fn widest_fuses() -> bool {
-    static FUSES: LazyLock<bool> = LazyLock::new(|| fuses(Level::new()));
-    *FUSES
+/// x·`factor` + `term`, rounded as the vectors of this processor round it.
+#[cfg(not(target_arch = "x86_64"))]
+#[inline(always)]
+pub(crate) fn times_plus_like_widest(x: f32, factor: f32, term: f32) -> f32 {
+    if cfg!(target_feature = "neon") { x.mul_add(factor, term) } else { x * factor + term }
 }
+
+/// The instructions of a level.
+pub(crate) trait InstructionSet: Simd {
+    /// Runs `act`, in a function of its own, where the compiler may use these instructions.
+    #[inline(always)]
+    fn run<T>(self, act: impl FnOnce() -> T) -> T {
+        self.vectorize(act)
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+impl InstructionSet for fearless_simd::Avx512 {}
+
+#[cfg(target_arch = "x86_64")]
+impl InstructionSet for fearless_simd::Avx2 {}
+
+#[cfg(target_arch = "x86_64")]
+impl InstructionSet for fearless_simd::Sse2 {
+    // Everywhere the compiler may use these, so that it would copy `act` to each place where it is run.
+    #[inline(never)]
+    fn run<T>(self, act: impl FnOnce() -> T) -> T {
+        act()
+    }
+}
+
+#[cfg(not(target_arch = "x86_64"))]
+impl<S: Simd> InstructionSet for S {}
 
 /// As many numbers as a vector holds, perhaps for scenes with bodies in double precision.
 #[derive(Clone, Copy, Debug)]
@@ -178,7 +218,7 @@ pub(crate) struct SimdWord<S: Simd>(S::u32s);
 #[derive(Clone, Copy)]
 pub(crate) struct SimdMask<S: Simd>(S::mask32s);
 
-impl<S: Simd, const DOUBLES: bool> Width for SimdWidth<S, DOUBLES> {
+impl<S: InstructionSet, const DOUBLES: bool> Width for SimdWidth<S, DOUBLES> {
     const LANES: usize = S::f32s::LEN;
     const USES_HIERARCHY: bool = true;
     const TESTS_DOUBLES: bool = DOUBLES;
@@ -269,7 +309,12 @@ impl<S: Simd, const DOUBLES: bool> Width for SimdWidth<S, DOUBLES> {
 
     #[inline(always)]
     fn run<T>(self, act: impl FnOnce() -> T) -> T {
-        self.0.vectorize(act)
+        self.0.run(act)
+    }
+
+    #[inline(always)]
+    fn run_once<T>(self, act: impl FnOnce() -> T) -> T {
+        act()
     }
 }
 

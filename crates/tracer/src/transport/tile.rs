@@ -6,7 +6,7 @@ use glam::{DVec2, Vec2};
 
 use crate::geometry::bvh::stream::STREAM;
 use crate::simd::vector::Vector;
-use crate::simd::{MOST_LANES, Mask as _, SimdKernel, Width, Word as _};
+use crate::simd::{MOST_LANES, Mask as _, SceneKernel, SimdKernel, Width, Word as _};
 use crate::transport::camera::{CameraRays, RenderCamera};
 use crate::transport::control::RenderControl;
 use crate::transport::counts::RayCounts;
@@ -130,6 +130,15 @@ impl<const FULL: bool> SimdKernel for TileSampleKernel<'_, '_, '_, FULL> {
             tracer.light.write(w, rows);
         }
         is_finished
+    }
+}
+
+impl<'t, 'r, 'a, const FULL: bool> SceneKernel for TileSampleKernel<'t, 'r, 'a, FULL> {
+    type General = TileSampleKernel<'t, 'r, 'a, true>;
+
+    fn general(self) -> Self::General {
+        let Self { tracer, place, size, sample, rows } = self;
+        TileSampleKernel { tracer, place, size, sample, rows }
     }
 }
 

@@ -80,9 +80,7 @@ impl<'a> WhittedIntegrator<'a> {
         let mut light = Vec3A::ZERO;
         let mut until_look = Self::CANCEL_INTERVAL;
         while let Some(beam) = pending.pop() {
-            light += Vec3A::from(
-                self.li::<ScalarWidth, true>(ScalarWidth, &beam, PacketSource::Anywhere, &mut pending).light,
-            );
+            light += self.follow(&beam, &mut pending);
             light = light.clamp(Vec3A::splat(-MOST_OF_PIXEL), Vec3A::splat(MOST_OF_PIXEL));
             until_look -= 1;
             if until_look == 0 {
@@ -115,6 +113,17 @@ impl<'a> WhittedIntegrator<'a> {
         paths.rays.set(ray);
         self.shading.start_paths(ScalarWidth, &mut paths);
         paths
+    }
+
+    /// The light that one ray brings; those that it sends join `pending`. In a function of its own, so that its code is
+    /// there once.
+    #[inline(never)]
+    pub(crate) fn follow(
+        &mut self,
+        path: &PathState<ScalarWidth>,
+        pending: &mut Vec<PathState<ScalarWidth>>,
+    ) -> Vec3A {
+        self.li::<ScalarWidth, true>(ScalarWidth, path, PacketSource::Anywhere, pending).light.into()
     }
 
     /// Traces rays side by side: what each adds to its pixel, and what it meets. The rays that grow from them go to

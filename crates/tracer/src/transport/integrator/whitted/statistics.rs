@@ -7,7 +7,6 @@ use crate::transport::counts::RayCounts;
 use crate::transport::integrator::whitted::WhittedIntegrator;
 use crate::transport::path::PathState;
 use crate::transport::sampler::Sampler;
-use crate::transport::shading::PacketSource;
 use crate::transport::tile_rect::{TILE, TileRect};
 
 /// What the rays of one sample of a pixel come to.
@@ -51,7 +50,7 @@ impl WhittedIntegrator<'_> {
         let (mut stands_for, mut rays) = (1.0, 0.0);
         for _ in 0..LONGEST_WALK {
             let before = self.shading.counts.shadow;
-            self.li::<ScalarWidth, true>(ScalarWidth, &beam, PacketSource::Anywhere, &mut branches);
+            self.follow(&beam, &mut branches);
             rays += stands_for * (1 + self.shading.counts.shadow - before) as f64;
             if branches.is_empty() {
                 break;
@@ -115,12 +114,7 @@ impl WhittedIntegrator<'_> {
             && !self.is_cancelled_at(followed)
             && let Some(beam) = pending.pop()
         {
-            take(
-                beam.generation,
-                self.li::<ScalarWidth, true>(ScalarWidth, &beam, PacketSource::Anywhere, &mut pending)
-                    .light
-                    .into(),
-            );
+            take(beam.generation, self.follow(&beam, &mut pending).into());
             followed += 1;
         }
         pending.is_empty()
