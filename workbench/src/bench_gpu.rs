@@ -2,7 +2,8 @@
 
 use anyhow::Result;
 use catoptric_lab::cloud::cloud;
-use catoptric_scene::{Scene, load, save, write};
+use catoptric_scene::{Scene, write};
+use catoptric_store::{load, save};
 use clap::Args;
 use xtask::root;
 use xtask::shell::{self, command};

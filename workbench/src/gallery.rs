@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use anyhow::{Context as _, Result};
-use catoptric_files::write_bytes;
 use catoptric_picture::{BitDepth, Codes, Development, Picture};
+use catoptric_platform::files::write_bytes;
 use catoptric_scene::Example;
 use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, render};
 use clap::Args;

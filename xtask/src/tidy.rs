@@ -8,17 +8,21 @@ use xtask::root;
 
 /// Each crate and the crates of this repository that it may use: the table in ARCHITECTURE.md.
 const MAY_USE: &[(&str, &[&str])] = &[
-    ("files", &[]),
+    ("platform", &[]),
     ("optics", &[]),
-    ("picture", &["files"]),
-    ("scene", &["files", "optics", "picture"]),
-    ("tracer", &["scene", "picture", "optics"]),
-    ("gpu", &["tracer", "picture"]),
-    ("editor", &["scene", "files"]),
-    ("live", &["gpu", "tracer", "scene", "picture"]),
-    ("lab", &["tracer", "scene", "picture", "files", "optics"]),
-    ("studio", &["lab", "live", "editor", "gpu", "tracer", "scene", "picture", "files", "optics"]),
-    ("catoptric", &["studio", "lab", "gpu", "tracer", "scene", "picture", "files"]),
+    ("picture", &["platform"]),
+    ("scene", &["optics", "picture"]),
+    ("store", &["platform", "picture", "scene"]),
+    ("tracer", &["scene", "picture", "optics", "platform"]),
+    ("gpu", &["tracer", "picture", "platform"]),
+    ("editor", &["store", "scene", "platform"]),
+    ("live", &["gpu", "tracer", "scene", "picture", "platform"]),
+    ("lab", &["tracer", "store", "scene", "picture", "platform", "optics"]),
+    (
+        "studio",
+        &["lab", "live", "editor", "gpu", "tracer", "store", "scene", "picture", "platform", "optics"],
+    ),
+    ("catoptric", &["studio", "lab", "gpu", "tracer", "store", "scene", "picture", "platform"]),
 ];
 
 const LONGEST_FILE: usize = 600;
@@ -85,6 +89,39 @@ pub(crate) fn rust_files(folder: &Path, found: &mut Vec<PathBuf>) {
             found.push(path);
         }
     }
+}
+
+/// A browser has other files, threads and clocks, and the standard library's fail there.
+#[test]
+fn the_platform_alone_asks_the_system() {
+    /// What runs on a desktop only.
+    const DESKTOP: [&str; 2] = ["crates/platform/", "crates/catoptric/"];
+    let asks = |line: &str| {
+        let line = line.trim_start();
+        let is_clock = || ["Instant", "SystemTime", "UNIX_EPOCH"].iter().any(|clock| line.contains(clock));
+        !line.starts_with("//")
+            && (line.contains("std::fs")
+                || line.contains("std::thread::") && !line.contains("std::thread::panicking")
+                || line.contains("std::time") && is_clock())
+    };
+    let mut files = Vec::new();
+    crates().iter().for_each(|path| rust_files(&path.join("src"), &mut files));
+    let mut faults = Vec::new();
+    for path in files {
+        let shown = path.strip_prefix(root()).unwrap().display().to_string();
+        let is_test = shown.ends_with("tests.rs") || shown.contains("/tests/");
+        if is_test
+            || shown.ends_with("host/desktop.rs")
+            || DESKTOP.iter().any(|folder| shown.starts_with(folder))
+        {
+            continue;
+        }
+        let text = fs::read_to_string(&path).unwrap();
+        let code = text.split("#[cfg(test)]\nmod tests {").next().unwrap_or_default();
+        let lines = code.lines().enumerate().filter(|(_, line)| asks(line));
+        faults.extend(lines.map(|(number, line)| format!("{shown}:{}: {}", number + 1, line.trim())));
+    }
+    assert!(faults.is_empty(), "use catoptric_platform instead:\n{}", faults.join("\n"));
 }
 
 #[test]

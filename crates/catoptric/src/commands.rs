@@ -12,7 +12,7 @@ pub(crate) mod render;
 #[cfg_attr(not(feature = "studio"), path = "commands/no_studio.rs")]
 pub(crate) mod studio;
 
-use catoptric_scene::LoadError;
+use catoptric_store::LoadError;
 
 /// How a command ended when nothing went wrong with the program itself. (Interrupted, only those return that are asked
 /// to end.)

@@ -6,9 +6,12 @@ use std::time::Instant;
 use std::{fmt, fs};
 
 use anyhow::{Context as _, Result, anyhow, bail};
-use catoptric_files::{FileId, WriteError, check_directory, check_writable, directory_of_file, is_terminal};
 use catoptric_picture::{Picture, SampleDepth, SaveOptions};
+use catoptric_platform::files::{
+    FileId, WriteError, check_directory, check_writable, directory_of_file, is_terminal,
+};
 use catoptric_scene::Scene;
+use catoptric_store::file_of_image;
 
 use crate::interrupt;
 use crate::output::milliseconds;
@@ -72,7 +75,7 @@ impl CommandFiles {
         for image in scene.images() {
             // Very many bodies may share one.
             if known.insert(image.path())
-                && let Some(file) = image.file(folder)
+                && let Some(file) = file_of_image(image, folder)
             {
                 self.add_input(&file)?;
             }
@@ -137,7 +140,7 @@ impl CommandFiles {
     /// # Errors
     /// If it cannot be written, or if the command has read it.
     pub(crate) fn write(&self, path: &Path, bytes: &[u8]) -> Result<()> {
-        self.write_by(path, || catoptric_files::write_bytes(path, bytes))
+        self.write_by(path, || catoptric_platform::files::write_bytes(path, bytes))
     }
 
     /// Writes a picture, whole or not at all; returns the milliseconds spent on developing and on writing it.

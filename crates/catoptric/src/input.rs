@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use anyhow::{Context as _, Result, anyhow, bail};
-use catoptric_scene::{Example, ImageFault, LoadedScene, Scene, SceneEdit, load};
+use catoptric_scene::{Example, ImageFault, LoadedScene, Scene, SceneEdit};
+use catoptric_store::{Folder, file_of_image, load};
 
 use crate::console::{color_on, say_colored};
 use crate::files::CommandFiles;
@@ -67,14 +68,14 @@ fn edit(scene: &mut Scene, edits: &[SceneEdit], files: &mut CommandFiles) -> Res
         anyhow!(error).context(option)
     })?;
     for image in scene.images().filter(|image| image.pixels().is_none()) {
-        if let Some(file) = image.file(None) {
+        if let Some(file) = file_of_image(image, None) {
             files.add_input(&file)?;
         }
     }
-    let Err(errors) = scene.open_images(None) else { return Ok(()) };
+    let Err(errors) = scene.open_images(&Folder::current()) else { return Ok(()) };
     let Some(error) = errors.into_iter().next() else { return Ok(()) };
     if let ImageFault::Missing(file) = &error.fault {
-        bail!("--set: there is no picture {}; the path begins in the current directory", file.display());
+        bail!("--set: there is no picture {file}; the path begins in the current directory");
     }
     Err(error).context("--set")
 }

@@ -85,7 +85,7 @@ fn on_request(act: impl FnMut() + Send + 'static) -> io::Result<()> {
 
 /// Does `work`, which creates or replaces the file at `path`, undisturbed by interruptions.
 pub(crate) fn while_writing<T, E>(path: &Path, work: impl FnOnce() -> Result<T, E>) -> Result<T, E> {
-    if catoptric_files::is_stream(path) {
+    if catoptric_platform::files::is_stream(path) {
         // Nothing to tidy up, and it may block for ever.
         return work();
     }

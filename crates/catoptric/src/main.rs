@@ -21,7 +21,8 @@ use std::ffi::OsString;
 use std::process::ExitCode;
 
 use anyhow::Result;
-use catoptric_scene::{LoadError, visible};
+use catoptric_scene::visible;
+use catoptric_store::LoadError;
 use clap::Parser as _;
 
 use arguments::{Arguments, Command};

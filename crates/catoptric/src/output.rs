@@ -4,8 +4,8 @@ use std::path::Path;
 use std::time::Instant;
 
 use anyhow::{Result, bail};
-use catoptric_files::is_stream;
 use catoptric_picture::{Development, PictureFormat, SampleDepth, SaveOptions};
+use catoptric_platform::files::is_stream;
 
 use crate::arguments::DevelopmentArguments;
 

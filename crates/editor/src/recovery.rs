@@ -7,13 +7,12 @@
 mod entry;
 
 use std::ffi::OsStr;
-use std::fs::{self, File, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU32, Ordering};
-use std::time::{SystemTime, UNIX_EPOCH};
 
-use catoptric_files::{WriteError, write_bytes};
+use catoptric_platform::files::{self, FileLock, LockMode, WriteError, write_bytes};
+use catoptric_platform::time::{SystemTime, UNIX_EPOCH};
 
 /// A document to be kept against a crash.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -37,8 +36,8 @@ static SESSIONS: AtomicU32 = AtomicU32::new(0);
 pub struct Session {
     document: PathBuf,
     lock_path: PathBuf,
-    /// Open, and therefore locked, as long as the session lives.
-    lock: Option<File>,
+    /// Held as long as the session lives.
+    lock: Option<FileLock>,
     is_left_behind: bool,
 }
 
@@ -48,31 +47,23 @@ impl Session {
     /// # Errors
     /// When the folder cannot be written, or files in it cannot be locked.
     pub fn start(folder: &Path) -> io::Result<Self> {
-        fs::create_dir_all(folder)?;
+        files::create_folders(folder)?;
         loop {
             let now = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
             let count = SESSIONS.fetch_add(1, Ordering::Relaxed);
             let stem = format!("{:x}-{:x}-{count:x}", now.as_nanos(), std::process::id());
             let lock_path = folder.join(&stem).with_extension(LOCK);
-            let lock = match File::options().read(true).write(true).create_new(true).open(&lock_path) {
-                Ok(lock) => lock,
-                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => continue,
-                Err(error) => return Err(error),
-            };
-            match lock.try_lock() {
+            match FileLock::take(&lock_path, LockMode::New) {
                 // Somebody who cleared away took it for one left behind, before it was locked.
-                Ok(()) if !lock_path.exists() => {}
-                Ok(()) => {
+                Ok(_) if !files::exists(&lock_path) => {}
+                Ok(lock) => {
                     let document = folder.join(&stem).with_extension(DOCUMENT);
                     return Ok(Self { document, lock_path, lock: Some(lock), is_left_behind: false });
                 }
-                // Somebody looks for orphans just now; another name is free.
-                Err(TryLockError::WouldBlock) => _ = fs::remove_file(&lock_path),
-                Err(TryLockError::Error(error)) => {
-                    drop(lock);
-                    let _ = fs::remove_file(&lock_path);
-                    return Err(error);
-                }
+                // Another session has it, or somebody looks for orphans just now; another name is free.
+                Err(error)
+                    if matches!(error.kind(), io::ErrorKind::AlreadyExists | io::ErrorKind::WouldBlock) => {}
+                Err(error) => return Err(error),
             }
         }
     }
@@ -108,7 +99,7 @@ impl Drop for Session {
         // Where the document cannot be removed it becomes an orphan, which is better than lost.
         let _ = self.clear();
         drop(self.lock.take());
-        let _ = fs::remove_file(&self.lock_path);
+        let _ = files::remove(&self.lock_path);
     }
 }
 
@@ -119,7 +110,7 @@ pub struct Orphan {
     lock_path: PathBuf,
     written: SystemTime,
     /// The lock, where it could be had.
-    lock: Option<File>,
+    lock: Option<FileLock>,
 }
 
 impl Orphan {
@@ -138,7 +129,7 @@ impl Orphan {
     /// # Errors
     /// When the file cannot be read, or is no text.
     pub fn read(&self) -> io::Result<Snapshot> {
-        fs::read_to_string(&self.document).map(|text| entry::from_text(&text))
+        files::read_text(&self.document, u64::MAX).map(|text| entry::from_text(&text))
     }
 
     /// Removes it for good.
@@ -155,10 +146,9 @@ impl Orphan {
 /// The documents in `folder` that no running editor holds, the latest first; a folder that cannot be read has none.
 /// Locks that killed editors left without a document are removed, and nothing else; other files are passed over.
 pub fn orphans(folder: &Path) -> Vec<Orphan> {
-    let Ok(entries) = fs::read_dir(folder) else { return Vec::new() };
+    let Ok(entries) = files::list(folder) else { return Vec::new() };
     let mut found: Vec<Orphan> = entries
-        .filter_map(|entry| {
-            let path = entry.ok()?.path();
+        .filter_map(|path| {
             remove_widowed(&path);
             orphan(path)
         })
@@ -169,13 +159,12 @@ pub fn orphans(folder: &Path) -> Vec<Orphan> {
 
 /// Removes the lock of a session that was killed while it kept no document.
 fn remove_widowed(lock_path: &Path) {
-    if !is_lock(lock_path) || lock_path.with_extension(DOCUMENT).exists() {
+    if !is_lock(lock_path) || files::exists(&lock_path.with_extension(DOCUMENT)) {
         return;
     }
-    let Ok(lock) = File::options().read(true).write(true).open(lock_path) else { return };
     // Removed while it is held: a session that starts just now sees either that or that its file is gone.
-    if lock.try_lock().is_ok() {
-        let _ = fs::remove_file(lock_path);
+    if let Ok(_held) = FileLock::take(lock_path, LockMode::Existing) {
+        let _ = files::remove(lock_path);
     }
 }
 
@@ -194,27 +183,25 @@ fn orphan(document: PathBuf) -> Option<Orphan> {
         return None;
     }
     let lock_path = document.with_extension(LOCK);
-    let options = File::options().read(true).write(true).create(true).truncate(false).open(&lock_path);
-    // Without a lock file, or locks at all, nobody can hold it.
-    let lock = options.ok();
-    if let Some(lock) = &lock
-        && matches!(lock.try_lock(), Err(TryLockError::WouldBlock))
-    {
-        return None;
-    }
+    let lock = match FileLock::take(&lock_path, LockMode::Any) {
+        Ok(lock) => Some(lock),
+        Err(error) if error.kind() == io::ErrorKind::WouldBlock => return None,
+        // Without a lock file, or locks at all, nobody can hold it.
+        Err(_) => None,
+    };
     // The session may have ended well since the folder was read.
-    let Ok(metadata) = fs::metadata(&document) else {
+    let Ok(status) = files::status(&document) else {
         drop(lock);
-        let _ = fs::remove_file(&lock_path);
+        let _ = files::remove(&lock_path);
         return None;
     };
-    let written = metadata.modified().unwrap_or(UNIX_EPOCH);
-    metadata.is_file().then_some(Orphan { document, lock_path, written, lock })
+    let written = status.modified.unwrap_or(UNIX_EPOCH);
+    status.is_file.then_some(Orphan { document, lock_path, written, lock })
 }
 
 /// Removes a file that need not exist.
 fn remove(path: &Path) -> io::Result<()> {
-    match fs::remove_file(path) {
+    match files::remove(path) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
         _ => Ok(()),
     }

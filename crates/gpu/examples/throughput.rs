@@ -7,7 +7,8 @@ use std::time::{Duration, Instant};
 
 use catoptric_gpu::{Gpu, GpuChoice, GpuFilm, GpuPass, GpuScene};
 use catoptric_picture::Difference;
-use catoptric_scene::{Scene, Shape, load};
+use catoptric_scene::{Scene, Shape};
+use catoptric_store::load;
 use catoptric_tracer::{RayCounts, RenderControl, RenderScene, RenderSettings, render};
 use clap::Parser;
 

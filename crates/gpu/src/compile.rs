@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 use std::sync::{Arc, PoisonError};
 
+use catoptric_platform::threads;
 use catoptric_tracer::shaders::{ENTRY_POINT, ShaderSpecialization, shader};
 
 use crate::card::Gpu;
@@ -49,7 +50,7 @@ impl Gpu {
             let _ = gpu.compile(special);
             ready();
         };
-        if std::thread::Builder::new().name("shader".to_owned()).spawn(compile).is_err() {
+        if threads::start_or_do("shader", compile).is_err() {
             self.pipelines.known().remove(&special);
         }
     }

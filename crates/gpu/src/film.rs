@@ -1,9 +1,9 @@
 //! A picture in the memory of a card that is refined sample by sample.
 
 use std::ops::AddAssign;
-use std::time::{Duration, Instant};
 
 use catoptric_picture::Picture;
+use catoptric_platform::time::{Duration, Instant};
 use catoptric_tracer::shaders::{
     CameraRaysBytes, FILM_HEAD, FILM_PIXEL, FRAME_PLACES, FrameUniforms, PhysicalFeatures, TILE_BLOCKS,
     UnsupportedOnGpu, WavelengthUniforms, tile_rays,

@@ -1,7 +1,8 @@
 //! Waiting for a card, and what it writes.
 
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
-use std::time::{Duration, Instant};
+
+use catoptric_platform::time::{Duration, Instant};
 
 use crate::card::Gpu;
 use crate::error::GpuError;

@@ -31,7 +31,7 @@ impl Machine {
         // What is not known on a system is left out.
         let cpus = system.as_ref().map(System::cpus).unwrap_or_default();
         let names: BTreeSet<&str> = cpus.iter().map(|cpu| cpu.brand().trim()).collect();
-        let parallelism = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+        let parallelism = catoptric_platform::threads::processors();
         Self {
             processor: names.into_iter().filter(|name| !name.is_empty()).collect::<Vec<_>>().join(", "),
             cores: System::physical_core_count().ok(),

@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
     let file = arguments.next().map_or_else(|| PathBuf::from("target/cloud.toml"), PathBuf::from);
     let steps: usize = arguments.next().map_or(Ok(60), |text| text.parse())?;
-    let scene = catoptric_scene::load(&file)?.scene;
+    let scene = catoptric_store::load(&file)?.scene;
     let body = scene.bodies.len() / 2;
     println!("{} bodies", scene.bodies.len());
     let mut editor = Editor::new(scene);

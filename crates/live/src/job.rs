@@ -3,10 +3,10 @@
 use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
-use std::thread::JoinHandle;
-use std::time::{Duration, Instant};
 
 use catoptric_picture::{Picture, SizeError};
+use catoptric_platform::threads::{self, Pool, Priority, Thread};
+use catoptric_platform::time::{Duration, Instant};
 use catoptric_scene::Scene;
 use catoptric_tracer::raster::{Method, MethodError, SettingError, draw};
 use catoptric_tracer::{
@@ -14,14 +14,13 @@ use catoptric_tracer::{
 };
 
 use crate::method_picture::unfolded;
-use crate::priority::{self, Priority};
 use crate::request::DisplayContent;
 use crate::worker::message_of;
 
 /// A render on threads of its own. Dropping it cancels it.
 pub struct RenderJob {
     work: Arc<JobState>,
-    thread: Option<JoinHandle<()>>,
+    thread: Option<Thread>,
 }
 
 /// The state that a job shares with its thread.
@@ -117,7 +116,11 @@ impl RenderJob {
         let work =
             Arc::new(JobState { scene, method, shows, settings, generations, threads, start, control, done });
         let own = Arc::clone(&work);
-        let thread = std::thread::Builder::new().name("render".to_owned()).spawn(move || own.run())?;
+        if !threads::are_available() {
+            own.run();
+            return Ok(Self { work, thread: None });
+        }
+        let thread = Thread::start("render", move || own.run())?;
         Ok(Self { work, thread: Some(thread) })
     }
 
@@ -156,7 +159,7 @@ impl Drop for RenderJob {
     fn drop(&mut self) {
         self.cancel();
         if let Some(thread) = self.thread.take() {
-            let _ = thread.join();
+            thread.join();
         }
     }
 }
@@ -176,11 +179,7 @@ impl JobState {
 
     fn render(&self) -> Result<RenderOutput, JobError> {
         Picture::check_size(self.settings.width, self.settings.height)?;
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(self.threads)
-            .thread_name(|index| format!("render {index}"))
-            .start_handler(|_| priority::lower(Priority::Lowest))
-            .build()
+        let pool = Pool::new("render", self.threads, Priority::Lowest)
             .map_err(|error| JobError::Fault(error.to_string()))?;
         let go_on = || if self.control.is_cancelled() { Err(JobError::Cancelled) } else { Ok(()) };
         pool.install(|| {

@@ -18,7 +18,6 @@ mod method_picture;
 mod options;
 mod outline;
 mod pace;
-mod priority;
 mod request;
 mod request_state;
 mod shared;

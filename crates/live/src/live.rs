@@ -1,15 +1,15 @@
 //! The worker's handle.
 
 use std::io;
-use std::sync::Arc;
-use std::thread::JoinHandle;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use catoptric_gpu::Gpu;
+use catoptric_platform::threads::{self, Pool, Priority, Thread};
+use catoptric_platform::time::Instant;
 use catoptric_tracer::RenderScene;
 
 use crate::frame::Frame;
 use crate::options::LiveOptions;
-use crate::priority::{self, Priority};
 use crate::request::Request;
 use crate::shared::SharedState;
 use crate::status::Status;
@@ -18,7 +18,15 @@ use crate::worker::Worker;
 /// A worker that traces what is asked of it, the newest request first. Dropping it stops the worker.
 pub struct Live {
     shared: Arc<SharedState>,
-    worker: Option<JoinHandle<()>>,
+    place: WorkerPlace,
+}
+
+/// Where the worker works.
+enum WorkerPlace {
+    /// On a thread of its own, until that has ended.
+    Thread(Option<Thread>),
+    /// In the window's thread, where there are no others: in slices, by [`Live::advance`].
+    Window(Box<Mutex<Worker>>),
 }
 
 impl Live {
@@ -35,22 +43,29 @@ impl Live {
     /// # Errors
     /// When the system gives no threads.
     pub fn with_options(options: LiveOptions, wake: impl Fn() + Send + Sync + 'static) -> io::Result<Self> {
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(options.threads)
-            .thread_name(|index| format!("live trace {index}"))
-            .start_handler(|_| priority::lower(Priority::Low))
-            .build()
-            .map_err(io::Error::other)?;
-        let status = Status {
-            backend: "CPU",
-            threads: pool.current_num_threads(),
-            is_idle: true,
-            ..Status::default()
-        };
+        let pool = Pool::new("live trace", options.threads, Priority::Low).map_err(io::Error::other)?;
+        let status = Status { backend: "CPU", threads: pool.threads(), is_idle: true, ..Status::default() };
         let shared = Arc::new(SharedState::new(status, wake));
         let worker = Worker::new(Arc::clone(&shared), pool, options.budget);
-        let worker = std::thread::Builder::new().name("live".to_owned()).spawn(move || worker.run())?;
-        Ok(Self { shared, worker: Some(worker) })
+        let place = if options.own_thread && threads::are_available() {
+            WorkerPlace::Thread(Some(Thread::start("live", move || worker.run())?))
+        } else {
+            WorkerPlace::Window(Box::new(Mutex::new(worker)))
+        };
+        Ok(Self { shared, place })
+    }
+
+    /// Whether the worker has a thread of its own.
+    pub fn has_thread(&self) -> bool {
+        matches!(self.place, WorkerPlace::Thread(_))
+    }
+
+    /// Works until `end`, where the worker has no thread of its own; the window calls this in every frame. Pictures by
+    /// Whitted's tree are traced in slices; what else there is to do is done whole.
+    pub fn advance(&self, end: Instant) {
+        if let WorkerPlace::Window(worker) = &self.place {
+            worker.lock().unwrap_or_else(PoisonError::into_inner).advance(end);
+        }
     }
 
     /// Asks for another picture; returns at once. What was asked before and not yet begun is forgotten.
@@ -84,9 +99,10 @@ impl Live {
 impl Drop for Live {
     fn drop(&mut self) {
         self.shared.stop();
-        if let Some(worker) = self.worker.take() {
-            // It catches its panics; there is nothing to do about one that came all the same.
-            let _ = worker.join();
+        if let WorkerPlace::Thread(thread) = &mut self.place
+            && let Some(thread) = thread.take()
+        {
+            thread.join();
         }
     }
 }

@@ -7,10 +7,13 @@ pub struct LiveOptions {
     pub threads: usize,
     /// What a picture may take while something moves, milliseconds.
     pub budget: f64,
+    /// Whether the worker gets a thread of its own where there are threads, as by default; else
+    /// [`advance`](crate::Live::advance) does the work.
+    pub own_thread: bool,
 }
 
 impl Default for LiveOptions {
     fn default() -> Self {
-        Self { threads: 0, budget: 13.0 }
+        Self { threads: 0, budget: 13.0, own_thread: true }
     }
 }

@@ -1,7 +1,6 @@
 //! The size of a picture that can be traced in time.
 
-use std::time::Instant;
-
+use catoptric_platform::time::Instant;
 use catoptric_tracer::RayCounts;
 
 /// Divisors of the view's size for coarse pictures. Few of them, so that the resolution does not flicker.

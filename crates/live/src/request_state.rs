@@ -1,9 +1,9 @@
 //! The state of the request that is being worked on.
 
 use std::sync::Arc;
-use std::time::{Duration, Instant};
 
 use catoptric_gpu::GpuPicture;
+use catoptric_platform::time::{Duration, Instant};
 use catoptric_scene::{
     Body, Camera, Color, Falloff, Light, MaterialChoice, Placement, Projection, Scene, Shape,
 };
@@ -33,6 +33,10 @@ pub(crate) struct RequestState {
     pub(crate) sharper: Option<Canvas>,
     /// A film of the full size that is not in use; a new one takes as long as a coarse picture.
     spare: Option<Canvas>,
+    /// While the coarse picture is traced in slices: until when it is finished though a newer one is asked for.
+    pub(crate) begun: Option<Instant>,
+    /// What passes took that did not finish the sample under way, milliseconds.
+    pub(crate) spent: f64,
     /// What a method other than Whitted's has drawn.
     pub(crate) drawn: Option<MethodPicture>,
     /// Whether the scene has changed since cube maps of the full size were made.
@@ -94,6 +98,8 @@ impl RequestState {
             film: None,
             sharper: None,
             spare: None,
+            begun: None,
+            spent: 0.0,
             drawn: None,
             has_old_maps: false,
             shown: LastFrame::default(),
@@ -139,6 +145,8 @@ impl RequestState {
             film: self.film,
             sharper: self.sharper,
             spare: self.spare,
+            begun: None,
+            spent: 0.0,
             drawn: self.drawn,
             has_old_maps: self.has_old_maps || !is_same_scene,
             shown: self.shown,
@@ -157,6 +165,7 @@ impl RequestState {
         size: [u32; 2],
     ) -> Result<Canvas, PassError> {
         let mut blank = None;
+        self.spent = 0.0;
         // While a sharper picture is traced, the present one stays: it may have to be developed again.
         let film = if self.due.picture { self.film.take() } else { None };
         for film in [film, self.sharper.take(), self.spare.take()].into_iter().flatten() {

@@ -2,9 +2,9 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
-use std::time::{Duration, Instant};
 
 use catoptric_gpu::Gpu;
+use catoptric_platform::time::{Duration, Instant};
 use catoptric_tracer::{RenderControl, RenderScene};
 
 use crate::frame::Frame;
@@ -52,6 +52,23 @@ pub(crate) enum WorkerMessage {
     Ready,
     Request(Box<Request>),
     Nothing,
+}
+
+impl Mailbox {
+    /// The next message. Requests stay unless `takes_requests`.
+    fn next(&mut self, takes_requests: bool) -> Option<WorkerMessage> {
+        if self.stop {
+            return Some(WorkerMessage::Stop);
+        }
+        if let Some(card) = self.card.take() {
+            return Some(WorkerMessage::Card(card));
+        }
+        if std::mem::take(&mut self.is_ready) {
+            return Some(WorkerMessage::Ready);
+        }
+        let request = if takes_requests { self.request.take() } else { None };
+        request.map(|request| WorkerMessage::Request(Box::new(request)))
+    }
 }
 
 /// The time that the worker waits for messages.
@@ -175,7 +192,7 @@ impl SharedState {
             }
             *published = before.map(|revision| (revision, Arc::clone(&render_scene)));
             drop(published);
-            std::thread::sleep(Duration::from_millis(1));
+            catoptric_platform::threads::sleep(Duration::from_millis(1));
         }
         edit(Arc::make_mut(&mut render_scene));
         self.publish_scene(revision, Arc::clone(&render_scene));
@@ -202,17 +219,8 @@ impl SharedState {
     pub(crate) fn look(&self, wait: WaitLimit) -> WorkerMessage {
         let mut mail = lock(&self.mail);
         loop {
-            if mail.stop {
-                return WorkerMessage::Stop;
-            }
-            if let Some(card) = mail.card.take() {
-                return WorkerMessage::Card(card);
-            }
-            if std::mem::take(&mut mail.is_ready) {
-                return WorkerMessage::Ready;
-            }
-            if let Some(request) = mail.request.take() {
-                return WorkerMessage::Request(Box::new(request));
+            if let Some(message) = mail.next(true) {
+                return message;
             }
             mail = match wait {
                 WaitLimit::No => return WorkerMessage::Nothing,
@@ -225,12 +233,7 @@ impl SharedState {
                 }
                 WaitLimit::ForEver => {
                     // While the mail is locked, so that no request comes in between.
-                    let is_news = {
-                        let mut shown = lock(&self.shown);
-                        shown.status.is_idle = true;
-                        std::mem::take(&mut shown.is_news)
-                    };
-                    if is_news {
+                    if self.rest() {
                         drop(mail);
                         self.wake();
                         lock(&self.mail)
@@ -240,6 +243,30 @@ impl SharedState {
                 }
             };
         }
+    }
+
+    /// Notes that there is nothing to do. Returns whether the window has not heard of all yet.
+    fn rest(&self) -> bool {
+        let mut shown = lock(&self.shown);
+        shown.status.is_idle = true;
+        std::mem::take(&mut shown.is_news)
+    }
+
+    /// The next message, for a worker that has work within `wait`, without waiting; `None` when it has none now.
+    /// Requests stay where they are unless `takes_requests`.
+    pub(crate) fn glance(&self, wait: WaitLimit, takes_requests: bool) -> Option<WorkerMessage> {
+        if let Some(message) = lock(&self.mail).next(takes_requests) {
+            return Some(message);
+        }
+        let is_due = match wait {
+            WaitLimit::No => true,
+            WaitLimit::Until(moment) => moment <= Instant::now(),
+            WaitLimit::ForEver => false,
+        };
+        if wait == WaitLimit::ForEver && self.rest() {
+            self.wake();
+        }
+        is_due.then_some(WorkerMessage::Nothing)
     }
 
     fn wait<'a>(&self, mail: MutexGuard<'a, Mailbox>, time: Duration) -> MutexGuard<'a, Mailbox> {

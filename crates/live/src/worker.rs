@@ -6,11 +6,11 @@ mod drawing;
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
-use std::time::{Duration, Instant};
 
 use catoptric_picture::{Development, Picture};
+use catoptric_platform::threads::Pool;
+use catoptric_platform::time::{Duration, Instant};
 use catoptric_tracer::{AcceleratorChoice, Film, RayCounts, RenderCamera, RenderControl, RenderScene};
-use rayon::ThreadPool;
 use rayon::prelude::*;
 
 use crate::canvas::{Canvas, CardRenderer, PassError};
@@ -35,7 +35,9 @@ const BETWEEN_FRAMES: Duration = Duration::from_millis(60);
 
 pub(crate) struct Worker {
     shared: Arc<SharedState>,
-    pub(crate) pool: ThreadPool,
+    pub(crate) pool: Pool,
+    /// When the slice ends that is worked on in the window's thread; `None` on a thread of its own.
+    slice_end: Option<Instant>,
     budget: Duration,
     pub(crate) pace: Pace,
     pub(crate) view: Option<RequestState>,
@@ -46,14 +48,24 @@ pub(crate) struct Worker {
     picture_serial: u64,
 }
 
+/// The end of a pass.
+enum PassEnd {
+    Finished(PassCost),
+    /// Something newer came first.
+    Superseded,
+    /// The slice ended first; the pass is taken up again.
+    Paused,
+}
+
 impl Worker {
-    pub(crate) fn new(shared: Arc<SharedState>, pool: ThreadPool, budget: f64) -> Self {
+    pub(crate) fn new(shared: Arc<SharedState>, pool: Pool, budget: f64) -> Self {
         // What is no number of milliseconds becomes one.
         let budget =
             if budget.is_finite() { budget.clamp(1.0, 10_000.0) } else { LiveOptions::default().budget };
         Self {
             shared,
             pool,
+            slice_end: None,
             budget: Duration::from_secs_f64(1e-3 * budget),
             pace: Pace::new(budget),
             view: None,
@@ -71,12 +83,32 @@ impl Worker {
             if matches!(call, WorkerMessage::Stop) {
                 return;
             }
-            let done = catch_unwind(AssertUnwindSafe(|| self.turn(call)))
-                .unwrap_or_else(|panic| Err(LiveError::Fault(message_of(&*panic))));
-            if let Err(error) = done {
-                self.view = None;
-                self.shared.publish_error(error);
+            self.guarded_turn(call);
+        }
+    }
+
+    /// Works in the caller's thread until `end`, or until there is nothing to do.
+    pub(crate) fn advance(&mut self, end: Instant) {
+        self.slice_end = Some(end);
+        loop {
+            let wait = self.view.as_ref().map_or(WaitLimit::ForEver, RequestState::wait);
+            // While something moves, a coarse picture is finished before the next is begun.
+            let is_patient = |view: &RequestState| view.begun.is_some_and(|until| Instant::now() < until);
+            let takes_requests = !self.view.as_ref().is_some_and(is_patient);
+            let Some(call) = self.shared.glance(wait, takes_requests) else { return };
+            self.guarded_turn(call);
+            if Instant::now() >= end {
+                return;
             }
+        }
+    }
+
+    fn guarded_turn(&mut self, call: WorkerMessage) {
+        let done = catch_unwind(AssertUnwindSafe(|| self.turn(call)))
+            .unwrap_or_else(|panic| Err(LiveError::Fault(message_of(&*panic))));
+        if let Err(error) = done {
+            self.view = None;
+            self.shared.publish_error(error);
         }
     }
 
@@ -178,18 +210,29 @@ impl Worker {
         let Some(view) = &mut self.view else { return Ok(()) };
         let size = self.pace.coarse(view.request.size);
         let card = self.card.as_ref().filter(|_| is_on_card);
-        let mut film = match view.blank_film(card, size) {
+        let begun = view.begun.take();
+        let film = match (begun, view.film.take()) {
+            (Some(_), Some(film)) => Ok(film),
+            (_, film) => {
+                view.film = film;
+                view.blank_film(card, size)
+            }
+        };
+        let mut film = match film {
             Ok(film) => film,
             Err(error) => return self.without_film(error),
         };
-        let start = Instant::now();
-        let until = start + self.patience(size);
+        let until = begun.unwrap_or_else(|| Instant::now() + self.patience(size));
         let passed = self.pass(&mut film, Some(until))?;
         let Some(view) = &mut self.view else { return Ok(()) };
         (view.film, view.drawn) = (Some(film), None);
         match passed {
-            None => Ok(()),
-            Some(passed) => {
+            PassEnd::Superseded => Ok(()),
+            PassEnd::Paused => {
+                view.begun = Some(until);
+                Ok(())
+            }
+            PassEnd::Finished(passed) => {
                 view.due.picture = false;
                 view.sharper = None;
                 self.show(Some(&passed))
@@ -223,7 +266,7 @@ impl Worker {
         let passed = self.pass(growing, None);
         let Some(view) = &mut self.view else { return Ok(()) };
         let passed = match passed {
-            Ok(Some(passed)) => passed,
+            Ok(PassEnd::Finished(passed)) => passed,
             unfinished => {
                 // What is traced already is taken up again later, if nothing moved.
                 (view.film, view.sharper) = (film, sharper);
@@ -241,10 +284,13 @@ impl Worker {
         }
     }
 
-    /// Adds a sample to a film; `None` if something newer came first. Until `until` nothing does.
-    fn pass(&mut self, film: &mut Canvas, until: Option<Instant>) -> Result<Option<PassCost>, LiveError> {
-        let Some(view) = &self.view else { return Ok(None) };
-        let control = RenderControl::default();
+    /// Adds a sample to a film, unless something newer comes first, or the slice ends. Until `until` nothing newer does.
+    fn pass(&mut self, film: &mut Canvas, until: Option<Instant>) -> Result<PassEnd, LiveError> {
+        let Some(view) = &self.view else { return Ok(PassEnd::Superseded) };
+        let control = match self.slice_end {
+            Some(end) => RenderControl::pausing_when(move || Instant::now() >= end),
+            None => RenderControl::default(),
+        };
         let start = Instant::now();
         let [width, height] = film.size();
         let pixels = u64::from(width) * u64::from(height);
@@ -260,17 +306,25 @@ impl Worker {
         let result = self.watched(view, &control, until, &progress, work);
         let result = result.unwrap_or(Err(PassError::Cancelled));
         let milliseconds = milliseconds_since(start);
+        let is_paused = self.slice_end.is_some() && matches!(result, Err(PassError::Cancelled));
         match (&result, until) {
-            (Err(_), Some(_)) => self.pace.gave_up(control.pixels_done(), milliseconds),
+            (Err(_), Some(_)) if !is_paused => self.pace.gave_up(control.pixels_done(), milliseconds),
             _ => self.pace.passed(control.pixels_done(), milliseconds),
         }
+        let Some(RequestState { spent, .. }) = &mut self.view else { return Ok(PassEnd::Superseded) };
         match result {
-            Ok(rays) => Ok(Some(PassCost { rays, milliseconds })),
-            Err(PassError::Cancelled) => Ok(None),
+            Ok(rays) => {
+                let milliseconds = milliseconds + std::mem::take(spent);
+                Ok(PassEnd::Finished(PassCost { rays, milliseconds }))
+            }
+            Err(PassError::Cancelled) => {
+                *spent += milliseconds;
+                Ok(if is_paused { PassEnd::Paused } else { PassEnd::Superseded })
+            }
             Err(PassError::Size(error)) => Err(error.into()),
             Err(PassError::Card(error)) => {
                 self.card_fails(error);
-                Ok(None)
+                Ok(PassEnd::Superseded)
             }
         }
     }
@@ -290,11 +344,12 @@ impl Worker {
             self.shared.change_status(|status| status.progress = progress);
             self.shared.wake();
         };
+        let Some(pool) = self.pool.inner() else { return Some(work()) };
         let patience =
             PreemptionRule { is_new: &|request| is_new(request, &view.request), until, report: &report };
         let mut result = None;
         let place = &mut result;
-        self.pool.in_place_scope(|scope| {
+        pool.in_place_scope(|scope| {
             let end = self.shared.begin_pass();
             scope.spawn(move |_| {
                 let _end = end;

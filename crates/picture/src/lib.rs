@@ -10,7 +10,7 @@ pub mod srgb;
 mod tone;
 mod write;
 
-pub use catoptric_files::WriteError;
+pub use catoptric_platform::files::WriteError;
 pub use compare::CompareError;
 pub use compare::difference::{Comparison, Difference, SizeMismatch};
 pub use compare::flip::{Flip, FlipMap};

@@ -9,9 +9,10 @@ mod layers;
 mod limits;
 mod transfer;
 
-use std::fs::File;
-use std::io::{self, BufRead, BufReader, Cursor, Read, Seek, SeekFrom};
+use std::io::{self, BufRead, Cursor, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
+
+use catoptric_platform::files;
 
 use crate::format::PictureFormat;
 use crate::picture::{Picture, SizeError};
@@ -189,14 +190,14 @@ impl ReadOptions {
     /// Names the file and what is wrong with it.
     pub fn read(&self, path: &Path) -> Result<Picture, ReadError> {
         let open = |source| ReadError::Open { path: path.to_owned(), source };
-        let decoded = match std::fs::metadata(path) {
-            Ok(found) if found.is_file() && path.as_os_str() != "-" => {
-                let file = BufReader::with_capacity(1 << 16, File::open(path).map_err(open)?);
-                self.decode_from(file, found.len())
+        let decoded = match files::status(path) {
+            Ok(found) if found.is_file && path.as_os_str() != "-" => {
+                let (file, length) = files::open(path).map_err(open)?;
+                self.decode_from(file, length)
             }
-            Ok(found) if found.is_dir() => return Err(ReadError::NotAFile { path: path.to_owned() }),
+            Ok(found) if found.is_folder => return Err(ReadError::NotAFile { path: path.to_owned() }),
             // Formats are read back and forth, which a stream cannot.
-            _ => self.decode(&catoptric_files::read_bytes(path, LONGEST_STREAM).map_err(open)?),
+            _ => self.decode(&files::read_bytes(path, LONGEST_STREAM).map_err(open)?),
         };
         decoded.map_err(|source| ReadError::Decode { path: path.to_owned(), source })
     }

@@ -8,7 +8,7 @@ pub(crate) mod save;
 use std::io;
 use std::path::Path;
 
-use catoptric_files::{WriteError, write_whole};
+use catoptric_platform::files::{WriteError, write_whole};
 
 use crate::develop::Developed;
 use crate::picture::Picture;
@@ -44,7 +44,7 @@ impl From<EncodeError> for io::Error {
 /// target, which is then renamed over it; a symbolic link is followed first and stays one.
 ///
 /// # Errors
-/// What [`check_writable`](catoptric_files::check_writable) finds, a full disk, or a failing system.
+/// What [`check_writable`](catoptric_platform::files::check_writable) finds, a full disk, or a failing system.
 pub fn write_png(path: &Path, picture: &Developed) -> Result<(), WriteError> {
     write_whole(path, |sink| Ok(encode_png::encode_png_to(sink, picture)?))
 }

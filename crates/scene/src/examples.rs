@@ -1,9 +1,7 @@
 //! The built-in scenes.
 
-use std::path::PathBuf;
-
-use crate::file::{LoadError, LoadedScene};
-use crate::format::{nearest, read};
+use crate::format::{Diagnostics, LoadedScene, nearest, read};
+use crate::image::NoResources;
 
 /// A scene that comes with the program: something to look at, to learn from, and to start from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -80,19 +78,11 @@ impl Example {
     ///
     /// # Errors
     /// None; a test reads every example.
-    pub fn load(&self) -> Result<LoadedScene, LoadError> {
+    pub fn load(&self) -> Result<LoadedScene, Diagnostics> {
         let mut reading = read(self.text);
-        reading.open_images(None, self.text);
-        match reading.into_result() {
-            Ok(warned) => {
-                Ok(LoadedScene { scene: warned.value, text: self.text.to_owned(), warnings: warned.warnings })
-            }
-            Err(diagnostics) => Err(LoadError::Diagnostics {
-                path: PathBuf::from(self.name),
-                text: self.text.to_owned(),
-                diagnostics,
-            }),
-        }
+        reading.open_images(&NoResources, self.text);
+        let read = reading.into_result()?;
+        Ok(LoadedScene { scene: read.value, text: self.text.to_owned(), warnings: read.warnings })
     }
 }
 

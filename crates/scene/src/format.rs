@@ -27,7 +27,7 @@ pub use address::{AddressError, SceneEdit, SceneKey, ScenePath, SceneValue};
 pub use check::{Problem, ScenePart};
 pub use diagnostic::{Diagnostic, Diagnostics, Related, Severity};
 pub(crate) use nearest::nearest;
-pub use read::{LONGEST_TEXT, ParsedScene, Warned, read, read_bytes};
+pub use read::{LONGEST_TEXT, LoadedScene, ParsedScene, Warned, read, read_bytes};
 pub use schema::json_schema;
 pub use update::update;
 pub use write::{write, write_fragment};

@@ -2,11 +2,8 @@
 
 pub(crate) mod built_in;
 
-use std::collections::HashMap;
 use std::fmt;
-use std::path::{Path, PathBuf};
-use std::sync::{Arc, LazyLock, Mutex, PoisonError, Weak};
-use std::time::SystemTime;
+use std::sync::Arc;
 
 use catoptric_picture::{DecodeError, Picture, ReadError, ReadOptions, SizeError};
 
@@ -34,11 +31,47 @@ impl ImageSource {
     pub fn layer(&self) -> Option<&str> {
         self.layer.as_deref()
     }
+
+    /// The pixels as a scene takes them from a decoder: the layer of this source, of at most [`Image::MAX_PIXELS`], with
+    /// bounded light.
+    ///
+    /// # Errors
+    /// What is wrong with the picture.
+    pub fn pixels_from<E: Into<ImageFault>>(
+        &self,
+        decode: impl FnOnce(&ReadOptions) -> Result<Picture, E>,
+    ) -> Result<Arc<Picture>, ImageFault> {
+        let options =
+            ReadOptions { layer: self.layer().map(str::to_owned), max_pixels: Image::MAX_PIXELS as u64 };
+        let mut picture = decode(&options).map_err(Into::into)?;
+        picture.pixels_mut().iter_mut().flatten().for_each(|part| *part = sane(*part));
+        Ok(Arc::new(picture))
+    }
+}
+
+/// Where the pictures that a scene names come from: a folder, the memory of a page.
+pub trait Resources {
+    /// The pixels of a picture that does not come with the program. The same picture, unchanged, should give the same
+    /// pixels while any scene has them.
+    ///
+    /// # Errors
+    /// What is wrong with the picture.
+    fn picture(&self, source: &ImageSource) -> Result<Arc<Picture>, ImageFault>;
+}
+
+/// No pictures but those that come with the program.
+#[derive(Clone, Copy, Debug)]
+pub struct NoResources;
+
+impl Resources for NoResources {
+    fn picture(&self, source: &ImageSource) -> Result<Arc<Picture>, ImageFault> {
+        Err(ImageFault::Missing(source.path().to_owned()))
+    }
 }
 
 /// A picture that a scene takes from a file: surroundings, or the texture of a body.
 ///
-/// The scene file has its path; the pixels are there once it is [opened](Image::open_source). Without them,
+/// The scene file has its path; the pixels are there once it is [opened](Image::open). Without them,
 /// surroundings are the background and a body has its color.
 #[derive(Clone)]
 pub struct Image {
@@ -95,28 +128,24 @@ impl Image {
         self.brightest
     }
 
-    /// The picture of a source, a file of any format that is read. A relative path begins at `folder`, that of the
-    /// scene file, or where the program was started. The same file, unchanged, gives the same pixels while any scene
-    /// has them.
+    /// The picture of a source, as `resources` have it.
     ///
     /// # Errors
-    /// What is wrong with the file.
-    pub fn open_source(source: &ImageSource, folder: Option<&Path>) -> Result<Self, ImageError> {
+    /// What is wrong with the picture.
+    pub fn open(source: &ImageSource, resources: &dyn Resources) -> Result<Self, ImageError> {
         let found = match source.path.strip_prefix(Self::BUILT_IN) {
             Some(_) if source.layer.is_some() => Err(ImageFault::BuiltInLayer),
             Some(name) => built_in::picture(name).ok_or(ImageFault::NotBuiltIn),
-            None => read_or_share(&file_of(&source.path, folder), source.layer()),
+            None => resources.picture(source),
         };
         let refused = |fault| ImageError { image: source.clone(), fault };
         found.map(|pixels| Self::opened(source.clone(), pixels)).map_err(refused)
     }
 
-    /// The picture at `path`, without a choice of layer; see [`Self::open_source`].
-    ///
-    /// # Errors
-    /// What is wrong with the file.
-    pub fn open(path: &str, folder: Option<&Path>) -> Result<Self, ImageError> {
-        Self::open_source(&ImageSource::new(path, None), folder)
+    /// A picture that comes with the program, by its name after [`Self::BUILT_IN`].
+    pub fn built_in(name: &str) -> Option<Self> {
+        let source = ImageSource::new(format!("{}{name}", Self::BUILT_IN), None);
+        Some(Self::opened(source, built_in::picture(name)?))
     }
 
     /// Where it comes from, as scene files say it.
@@ -134,11 +163,6 @@ impl Image {
         self.source.layer()
     }
 
-    /// The file that it comes from, for a scene file in `folder`; `None` if it comes with the program.
-    pub fn file(&self, folder: Option<&Path>) -> Option<PathBuf> {
-        (!self.is_built_in()).then(|| file_of(self.path(), folder))
-    }
-
     /// The pixels of the picture, in linear light, once it is opened.
     pub fn pixels(&self) -> Option<&Arc<Picture>> {
         self.pixels.as_ref()
@@ -154,50 +178,6 @@ impl Image {
     pub fn with_path(&self, path: impl Into<Arc<str>>) -> Self {
         let layer = self.source.layer.clone();
         Self { source: ImageSource::new(path, layer), ..self.clone() }
-    }
-
-    /// What a path of a scene file in the folder `from` has to be in one in `to`, so that it leads to the same file;
-    /// `None` if it may stay as it is. Without a folder `from` it begins where the program was started; without `to`
-    /// it becomes a whole path, as it does when the file does not lie in `to`.
-    pub fn moved_path(path: &str, from: Option<&Path>, to: Option<&Path>) -> Option<String> {
-        Self::moved(path, from, to, Self::path_from)
-    }
-
-    /// [`moved_path`](Self::moved_path), but a relative path stays relative wherever there is a way from `to`, up and
-    /// down: folders that are moved together find their files still.
-    pub fn moved_relative_path(path: &str, from: &Path, to: &Path) -> Option<String> {
-        let name = |to: &Path, file: &Path| {
-            let way = Path::new(path).is_relative().then(|| way(to, file)).flatten();
-            way.unwrap_or_else(|| Self::path_from(to, file))
-        };
-        Self::moved(path, Some(from), Some(to), name)
-    }
-
-    fn moved(
-        path: &str,
-        from: Option<&Path>,
-        to: Option<&Path>,
-        name: impl Fn(&Path, &Path) -> String,
-    ) -> Option<String> {
-        if path.starts_with(Self::BUILT_IN) {
-            return None;
-        }
-        let file = file_of(path, from);
-        let moved = match to {
-            // A way that both folders have in common, such as one up and down again, stays as it was written.
-            Some(to) if Path::new(path).is_relative() && is_same_file(&file, &to.join(path)) => return None,
-            Some(to) => name(to, &file),
-            None => Self::path_from(Path::new(""), &file),
-        };
-        (moved != path).then_some(moved)
-    }
-
-    /// How a scene file in `folder` names the picture in `file`: by the way from there, if it lies in the folder, else
-    /// by the whole path. An empty folder is none.
-    pub fn path_from(folder: &Path, file: &Path) -> String {
-        let whole = |path: &Path| std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
-        let (folder, file) = (whole(folder), whole(file));
-        path_text(file.strip_prefix(&folder).unwrap_or(&file))
     }
 }
 
@@ -240,8 +220,8 @@ pub enum ImageFault {
     #[error("a built-in picture has no layers; remove `layer`")]
     BuiltInLayer,
     /// There is no such file.
-    #[error("there is no file {}; check the path, which begins at the scene's folder", .0.display())]
-    Missing(PathBuf),
+    #[error("there is no file {0}; check the path, which begins at the scene's folder")]
+    Missing(String),
     /// The path names a folder, a pipe or a device.
     #[error("it is not a plain file; save the picture in one")]
     NotAFile,
@@ -286,6 +266,27 @@ pub enum UnreadableKind {
     Other,
 }
 
+impl From<DecodeError> for ImageFault {
+    fn from(error: DecodeError) -> Self {
+        match error {
+            DecodeError::TooLarge { width, height, .. }
+            | DecodeError::Size(
+                SizeError::Pixels { width, height, .. } | SizeError::Side { width, height, .. },
+            ) => Self::TooLarge { width, height },
+            error => Self::Unreadable { reason: error.to_string(), kind: (&error).into() },
+        }
+    }
+}
+
+impl From<ReadError> for ImageFault {
+    fn from(error: ReadError) -> Self {
+        match error {
+            ReadError::Decode { source, .. } => source.into(),
+            other => Self::Unreadable { reason: other.to_string(), kind: UnreadableKind::Other },
+        }
+    }
+}
+
 impl From<&DecodeError> for UnreadableKind {
     fn from(error: &DecodeError) -> Self {
         match error {
@@ -301,100 +302,8 @@ impl From<&DecodeError> for UnreadableKind {
     }
 }
 
-/// The file that a path of a scene leads to.
-fn file_of(path: &str, folder: Option<&Path>) -> PathBuf {
-    folder.map_or_else(|| PathBuf::from(path), |folder| folder.join(path))
-}
-
-/// A path as scene files have it, which are the same on all systems.
-fn path_text(path: &Path) -> String {
-    let text = path.to_string_lossy();
-    if cfg!(windows) { text.replace('\\', "/") } else { text.into_owned() }
-}
-
-/// The way from a folder to a file, up and down; `None` if there is none, as between two drives.
-fn way(folder: &Path, file: &Path) -> Option<String> {
-    let by_name = |path: &Path| std::path::absolute(path).map(|whole| without_steps_up(&whole)).ok();
-    let real = |path: &Path| path.canonicalize().ok();
-    // What is not there yet cannot be asked.
-    let is_unknown = !file.exists() || !folder.exists();
-    let leads_there = |way: &PathBuf| is_unknown || is_same_file(file, &folder.join(way));
-    // By the names that the user knows, unless a symbolic link on the way makes `..` lead elsewhere.
-    let ways = [by_name(folder).zip(by_name(file)), real(folder).zip(real(file))];
-    let ways = ways.into_iter().flatten().filter_map(|(folder, file)| pathdiff::diff_paths(file, folder));
-    ways.filter(|way| way.is_relative()).find(leads_there).map(|way| path_text(&way))
-}
-
-/// An absolute path without `..`, by names alone: each takes the name before it away.
-fn without_steps_up(path: &Path) -> PathBuf {
-    let mut plain = PathBuf::new();
-    for part in path.components() {
-        match part {
-            std::path::Component::ParentDir => _ = plain.pop(),
-            part => plain.push(part),
-        }
-    }
-    plain
-}
-
-fn is_same_file(one: &Path, other: &Path) -> bool {
-    let canonical = |path: &Path| path.canonicalize().ok();
-    one == other || canonical(one).is_some_and(|one| canonical(other) == Some(one))
-}
-
 /// An amount of light as scenes have them: a file may say anything.
 fn sane(part: f32) -> f32 {
     const MOST: f32 = 1e6;
     if part.is_nan() { 0.0 } else { part.clamp(0.0, MOST) }
-}
-
-/// The time, size and content of a file when it was read, while the content is in use.
-type CachedFile = (Option<SystemTime>, u64, Weak<Picture>);
-
-/// A file and the layer that is read of it.
-type FileLayer = (PathBuf, Option<String>);
-
-static KEPT: LazyLock<Mutex<HashMap<FileLayer, CachedFile>>> = LazyLock::new(Mutex::default);
-
-fn read_or_share(file: &Path, layer: Option<&str>) -> Result<Arc<Picture>, ImageFault> {
-    let metadata = std::fs::metadata(file).map_err(|error| match error.kind() {
-        std::io::ErrorKind::NotFound => ImageFault::Missing(file.to_owned()),
-        _ => ImageFault::Unreadable { reason: error.to_string(), kind: UnreadableKind::Other },
-    })?;
-    if !metadata.is_file() {
-        // Opening a pipe would wait, in the studio too, until someone writes into it.
-        return Err(ImageFault::NotAFile);
-    }
-    let state = (metadata.modified().ok(), metadata.len());
-    let layer = layer.map(str::to_owned);
-    let name = (file.canonicalize().unwrap_or_else(|_| file.to_owned()), layer.clone());
-    let shared = {
-        let kept = KEPT.lock().unwrap_or_else(PoisonError::into_inner);
-        kept.get(&name).filter(|kept| (kept.0, kept.1) == state).and_then(|kept| kept.2.upgrade())
-    };
-    if let Some(shared) = shared {
-        return Ok(shared);
-    }
-    let options = ReadOptions { layer, max_pixels: Image::MAX_PIXELS as u64 };
-    let mut picture =
-        options.read(file).map_err(|error| match error {
-            ReadError::Decode {
-                source:
-                    DecodeError::TooLarge { width, height, .. }
-                    | DecodeError::Size(
-                        SizeError::Pixels { width, height, .. } | SizeError::Side { width, height, .. },
-                    ),
-                ..
-            } => ImageFault::TooLarge { width, height },
-            ReadError::Decode { source, .. } => {
-                ImageFault::Unreadable { reason: source.to_string(), kind: (&source).into() }
-            }
-            other => ImageFault::Unreadable { reason: other.to_string(), kind: UnreadableKind::Other },
-        })?;
-    picture.pixels_mut().iter_mut().flatten().for_each(|part| *part = sane(*part));
-    let picture = Arc::new(picture);
-    let mut kept = KEPT.lock().unwrap_or_else(PoisonError::into_inner);
-    kept.retain(|_, (_, _, picture)| picture.strong_count() > 0);
-    kept.insert(name, (state.0, state.1, Arc::downgrade(&picture)));
-    Ok(picture)
 }

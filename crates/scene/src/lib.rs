@@ -5,7 +5,6 @@ mod camera;
 mod color;
 mod environment;
 mod examples;
-mod file;
 pub mod format;
 mod image;
 mod language;
@@ -21,13 +20,12 @@ pub use camera::{Camera, Projection};
 pub use color::Color;
 pub use environment::{Environment, Sky, Surroundings};
 pub use examples::Example;
-pub use file::{LoadError, LoadedScene, load, load_partly, save};
 pub use format::{
-    AddressError, Diagnostic, Diagnostics, LONGEST_TEXT, ParsedScene, Problem, Related, SceneEdit, SceneKey,
-    ScenePart, ScenePath, SceneValue, Severity, Warned, json_schema, read, read_bytes, update, write,
-    write_fragment,
+    AddressError, Diagnostic, Diagnostics, LONGEST_TEXT, LoadedScene, ParsedScene, Problem, Related,
+    SceneEdit, SceneKey, ScenePart, ScenePath, SceneValue, Severity, Warned, json_schema, read, read_bytes,
+    update, write, write_fragment,
 };
-pub use image::{Image, ImageError, ImageFault, ImageSource, UnreadableKind};
+pub use image::{Image, ImageError, ImageFault, ImageSource, NoResources, Resources, UnreadableKind};
 pub use language::Language;
 pub use light::{Falloff, Light};
 pub use list::{CountedIter, List, ListIter, ListIterMut, ListSlices};

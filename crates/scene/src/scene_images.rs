@@ -1,12 +1,11 @@
 //! The pictures of a scene: those that its surroundings and materials take from files.
 
 use std::collections::HashMap;
-use std::path::Path;
 
 use crate::Scene;
 use crate::body::Body;
 use crate::environment::{Environment, Surroundings};
-use crate::image::{Image, ImageError, ImageSource};
+use crate::image::{Image, ImageError, ImageSource, Resources};
 use crate::material::{Material, MaterialChoice, NamedMaterial};
 
 /// A value that contains pictures.
@@ -62,18 +61,18 @@ impl HasImages for Scene {
 }
 
 impl Scene {
-    /// Opens all pictures of the scene that are not opened yet; see [`Image::open_source`].
+    /// Opens all pictures of the scene that are not opened yet; see [`Image::open`].
     ///
     /// # Errors
     /// What is wrong with those that could not be opened, each source once, in the order of the scene.
-    pub fn open_images(&mut self, folder: Option<&Path>) -> Result<(), Vec<ImageError>> {
+    pub fn open_images(&mut self, resources: &dyn Resources) -> Result<(), Vec<ImageError>> {
         let mut opened: HashMap<ImageSource, Option<Image>> = HashMap::new();
         let mut errors = Vec::new();
         self.edit_images(&mut |image| {
             if image.pixels().is_some() {
                 return;
             }
-            let open = || Image::open_source(image.source(), folder).map_err(|error| errors.push(error)).ok();
+            let open = || Image::open(image.source(), resources).map_err(|error| errors.push(error)).ok();
             if let Some(found) = opened.entry(image.source().clone()).or_insert_with(open) {
                 image.clone_from(found);
             }

@@ -12,7 +12,9 @@ pub use shell::host;
 pub use shell::interruption::Interruption;
 pub use shell::studio::{StartDocument, Studio};
 #[doc(hidden)]
+#[cfg(not(target_family = "wasm"))]
 pub use shell::window::{InjectedLoss, open_with_fault};
+#[cfg(not(target_family = "wasm"))]
 pub use shell::window::{open, prepare as prepare_window};
 pub use state::command::{
     AddCommand, AuditCommand, CameraCommand, Command, CommandGroup, CommandStyle, CompareCommand,

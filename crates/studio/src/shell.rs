@@ -26,4 +26,5 @@ pub(crate) mod render_dialog;
 pub(crate) mod run;
 pub(crate) mod shortcuts;
 pub(crate) mod studio;
+#[cfg(not(target_family = "wasm"))]
 pub(crate) mod window;

@@ -8,7 +8,8 @@
 use std::error::Error;
 use std::time::Instant;
 
-use catoptric_scene::{Scene, load};
+use catoptric_scene::Scene;
+use catoptric_store::load;
 use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, render};
 use glam::DVec3;
 

@@ -21,9 +21,8 @@ pub(crate) mod settings;
 pub(crate) mod shaded;
 pub(crate) mod tile_sample;
 
-use std::time::Instant;
-
 use catoptric_picture::Picture;
+use catoptric_platform::time::Instant;
 
 use crate::raster::mirrored::ReflectionSources;
 use crate::raster::shaded::ShadingFrequency;

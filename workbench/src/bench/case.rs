@@ -3,9 +3,10 @@
 use std::path::PathBuf;
 
 use anyhow::{Context as _, Result};
-use catoptric_files::write_bytes;
 use catoptric_lab::cloud::cloud;
-use catoptric_scene::{Scene, load, save, write};
+use catoptric_platform::files::write_bytes;
+use catoptric_scene::{Scene, write};
+use catoptric_store::{load, save};
 use xtask::root;
 
 use super::folder;

@@ -188,7 +188,8 @@ mod tests {
     use std::path::PathBuf;
 
     use catoptric_picture::{Difference, read};
-    use catoptric_scene::{MaterialChoice, load};
+    use catoptric_scene::MaterialChoice;
+    use catoptric_store::load;
 
     use super::*;
     use crate::povray::{PovrayTask, trace};

@@ -4,7 +4,8 @@ use std::path::PathBuf;
 
 use anyhow::Result;
 use catoptric_lab::cloud::cloud;
-use catoptric_scene::{save, write};
+use catoptric_scene::write;
+use catoptric_store::save;
 use clap::Args;
 
 #[derive(Debug, Args)]
@@ -23,7 +24,8 @@ pub(crate) fn write_cloud(arguments: &CloudArguments) -> Result<()> {
 
 #[cfg(test)]
 mod tests {
-    use catoptric_scene::{Body, Scene, Shape, ShapeKind, load};
+    use catoptric_scene::{Body, Scene, Shape, ShapeKind};
+    use catoptric_store::load;
     use glam::DVec3;
 
     use super::*;

@@ -92,7 +92,7 @@ mod tests {
     #[test]
     fn glass_floor_and_lights_are_those_of_whitted() {
         let file = xtask::root().join("tests/reference/whitted.toml");
-        let whitted = catoptric_scene::load(file).unwrap().scene;
+        let whitted = catoptric_store::load(file).unwrap().scene;
         let scene = glass_grid();
         let material = |name: &str| {
             let body = whitted.bodies.iter().find(|body| body.name == name).unwrap();

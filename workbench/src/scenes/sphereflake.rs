@@ -95,7 +95,7 @@ fn directions() -> impl Iterator<Item = DVec3> {
 
 #[cfg(test)]
 mod tests {
-    use catoptric_scene::load;
+    use catoptric_store::load;
 
     use super::*;
     use xtask::root;

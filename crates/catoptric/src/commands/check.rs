@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use anyhow::Result;
-use catoptric_scene::{AddressError, Diagnostics, Language, LoadError, Scene, SceneKey, Severity, visible};
+use catoptric_scene::{AddressError, Diagnostics, Language, Scene, SceneKey, Severity, visible};
+use catoptric_store::LoadError;
 
 use super::{CommandOutcome, in_words};
 use crate::arguments::CheckArguments;

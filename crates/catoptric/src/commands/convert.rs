@@ -3,9 +3,10 @@
 use std::path::Path;
 
 use anyhow::{Result, bail};
-use catoptric_files::{directory_of_file, is_stream};
 use catoptric_picture::{PictureFormat, ReadOptions};
-use catoptric_scene::{HasImages as _, Image, write};
+use catoptric_platform::files::{directory_of_file, is_stream};
+use catoptric_scene::{HasImages as _, write};
+use catoptric_store::moved_relative_path;
 
 use super::CommandOutcome;
 use crate::arguments::ConvertArguments;
@@ -63,7 +64,7 @@ fn write_scene(from: &Path, to: &Path, files: &mut CommandFiles) -> Result<()> {
     let mut scene = input.loaded.scene;
     let (old, new) = (folder_of(from), folder_of(to));
     scene.edit_images(&mut |image| {
-        if let Some(path) = Image::moved_relative_path(image.path(), old, new) {
+        if let Some(path) = moved_relative_path(image.path(), old, new) {
             *image = image.with_path(path);
         }
     });

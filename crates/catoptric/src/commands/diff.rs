@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use anyhow::{Context as _, Result, bail};
-use catoptric_files::FileId;
 use catoptric_picture::{
     CompareError, Comparison, Difference, Flip, HeatMap, Picture, PictureFormat, SaveOptions, heat_map, ssim,
 };
+use catoptric_platform::files::FileId;
 use serde_json::json;
 
 use super::CommandOutcome;

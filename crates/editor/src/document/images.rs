@@ -5,6 +5,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use catoptric_scene::{HasImages as _, Image, ImageSource, Scene};
+use catoptric_store::moved_path;
 
 use super::Editor;
 
@@ -55,7 +56,7 @@ impl Editor {
     }
 }
 
-/// Has the paths of the scene's pictures begin at the folder `to`; see [`Image::moved_path`].
+/// Has the paths of the scene's pictures begin at the folder `to`; see [`moved_path`].
 pub(super) fn move_images(scene: &mut Arc<Scene>, from: Option<&Path>, to: Option<&Path>) {
     edit_images(scene, |image| !image.is_built_in(), &mut mover(from, to));
 }
@@ -83,7 +84,7 @@ pub(crate) fn mover(from: Option<&Path>, to: Option<&Path>) -> impl FnMut(&mut I
     let mut moved: HashMap<String, Option<Arc<str>>> = HashMap::new();
     move |image| {
         if !moved.contains_key(image.path()) {
-            let path = Image::moved_path(image.path(), from, to).map(Arc::from);
+            let path = moved_path(image.path(), from, to).map(Arc::from);
             moved.insert(image.path().to_owned(), path);
         }
         if let Some(Some(path)) = moved.get(image.path()) {

@@ -1,9 +1,9 @@
 //! The file of one document: a scene file whose first lines are comments that tell where it came from.
 
 use std::fmt::Write as _;
-use std::fs::File;
-use std::io::Read;
 use std::path::{Path, PathBuf};
+
+use catoptric_platform::files::read_start;
 
 use super::Snapshot;
 
@@ -40,9 +40,7 @@ pub(super) fn from_text(text: &str) -> Snapshot {
 
 /// Whether the file at this path is one of these, by its first line.
 pub(super) fn is_one(path: &Path) -> bool {
-    let mut first = Vec::new();
-    let read = File::open(path).and_then(|file| file.take(FIRST_LINE.len() as u64).read_to_end(&mut first));
-    read.is_ok() && first == FIRST_LINE.as_bytes()
+    read_start(path, FIRST_LINE.len() as u64).is_ok_and(|first| first == FIRST_LINE.as_bytes())
 }
 
 fn push_line(out: &mut String, key: &str, bytes: &[u8]) {

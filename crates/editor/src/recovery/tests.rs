@@ -1,3 +1,4 @@
+use std::fs::{self, File};
 use std::process::{Command, Stdio};
 use std::time::Duration;
 

@@ -26,7 +26,7 @@ fn scene() -> Scene {
 
 fn open(source: &ImageSource) -> Option<Image> {
     let path = source.path();
-    let grid = Image::open("builtin:grid", None).unwrap();
+    let grid = Image::built_in("grid").unwrap();
     (path != "none.png").then(|| Image::with_pixels(path, Arc::clone(grid.pixels().unwrap())))
 }
 

@@ -59,7 +59,7 @@ fn tests_folder() -> PathBuf {
 }
 
 fn load(path: &Path) -> Scene {
-    catoptric_scene::load(path).unwrap().scene
+    catoptric_store::load(path).unwrap().scene
 }
 
 /// Every reference scene, every scene that is held against Mitsuba's pictures, and every example, by name.

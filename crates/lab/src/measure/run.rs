@@ -2,11 +2,12 @@
 
 use std::borrow::Cow;
 use std::collections::HashMap;
-use std::time::{Duration, Instant};
 
 use catoptric_picture::{CompareError, Picture};
+use catoptric_platform::time::{Duration, Instant};
 use catoptric_scene::format::spec::KeySpec;
 use catoptric_scene::{AddressError, ImageError, Scene, ScenePath, SceneValue};
+use catoptric_store::Folder;
 use catoptric_tracer::raster::{Method, MethodError, PassName, draw};
 use catoptric_tracer::{
     AcceleratorChoice, RayCounts, RenderControl, RenderScene, RenderSettings, SceneBuildError,
@@ -392,7 +393,7 @@ impl PointSetup {
             set.map_err(|source| MeasureError::Setting { value: value.clone(), source })?;
         }
         if let Cow::Owned(scene) = &mut scene
-            && let Err(errors) = scene.open_images(None)
+            && let Err(errors) = scene.open_images(&Folder::current())
             && let Some(error) = errors.into_iter().next()
         {
             return Err(MeasureError::Image(error));

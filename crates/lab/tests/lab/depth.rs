@@ -148,8 +148,8 @@ fn materials_that_give_more_than_they_get_are_named_with_the_number() {
         Material::Matte(Matte { pattern, ..Matte::default() })
     };
     assert_eq!(excess_of(&under(None)).count(), 1);
-    for (name, count) in [("builtin:grid", 0), ("builtin:evening", 1)] {
-        let texture = Some(Image::open(name, None).unwrap());
+    for (name, count) in [("grid", 0), ("evening", 1)] {
+        let texture = Some(Image::built_in(name).unwrap());
         assert_eq!(excess_of(&under(texture)).count(), count, "{name}");
     }
 

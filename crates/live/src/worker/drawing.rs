@@ -1,8 +1,7 @@
 //! Pictures by other methods than Whitted's: drawn as a whole, coarsely while something moves, then at full size, then with
 //! more and more samples.
 
-use std::time::Instant;
-
+use catoptric_platform::time::Instant;
 use catoptric_tracer::raster::{
     CubeMapSettings, Method, MethodError, MethodOutput, PassName, SsrFallback, draw_through,
 };

@@ -8,6 +8,7 @@ mod frames;
 mod jobs;
 mod methods;
 mod odd;
+mod slices;
 
 use std::sync::mpsc::{Receiver, channel};
 use std::sync::{Arc, OnceLock};

@@ -3,7 +3,7 @@
 use std::io;
 use std::path::Path;
 
-use catoptric_files::{Sink, WriteError, write_whole};
+use catoptric_platform::files::{Sink, WriteError, write_whole};
 
 use super::EncodeError;
 use super::encode_exr::encode_exr_to;
@@ -137,7 +137,7 @@ impl PreparedPicture<'_> {
     /// Writes the file, whole or not at all; an existing one is replaced.
     ///
     /// # Errors
-    /// What [`check_writable`](catoptric_files::check_writable) finds, a full disk, or a failing system.
+    /// What [`check_writable`](catoptric_platform::files::check_writable) finds, a full disk, or a failing system.
     pub fn write(&self, path: &Path) -> Result<(), WriteError> {
         write_whole(path, |sink| Ok(self.encode_to(sink)?))
     }

@@ -3,8 +3,6 @@
 mod list;
 mod names;
 
-use std::path::Path;
-
 use crate::Scene;
 use crate::format::build::SceneBuilder;
 use crate::format::diagnostic::{Diagnostic, Diagnostics};
@@ -16,6 +14,7 @@ use crate::format::toml::{
     Assignment, Header, Key, LogicalLine, LogicalLines, Span, Statement, Value, ValueKind, parse,
 };
 use crate::format::tree::{Schema, Table, TableOrigin};
+use crate::image::Resources;
 use crate::language::Language;
 use crate::material::NamedMaterial;
 use toml_parser::lexer::TokenKind;
@@ -38,10 +37,10 @@ pub struct ParsedScene {
 }
 
 impl ParsedScene {
-    /// Opens the pictures that the scene names, whose paths begin at `folder`, and adds what is wrong with them to the
-    /// findings; `text` is what was read.
-    pub fn open_images(&mut self, folder: Option<&Path>, text: &str) {
-        if let Err(errors) = self.scene.open_images(folder) {
+    /// Opens the pictures that the scene names, and adds what is wrong with them to the findings; `text` is what was
+    /// read.
+    pub fn open_images(&mut self, resources: &dyn Resources, text: &str) {
+        if let Err(errors) = self.scene.open_images(resources) {
             self.diagnostics.report_images(&errors, text);
         }
     }
@@ -54,6 +53,17 @@ impl ParsedScene {
             Ok(Warned { value: self.scene, warnings: self.diagnostics })
         }
     }
+}
+
+/// A scene that was read without errors.
+#[derive(Clone, Debug)]
+pub struct LoadedScene {
+    /// The scene.
+    pub scene: Scene,
+    /// The text that was read, which [`update`](crate::update) needs to keep comments and order.
+    pub text: String,
+    /// Warnings about it.
+    pub warnings: Diagnostics,
 }
 
 /// A value together with warnings about it.

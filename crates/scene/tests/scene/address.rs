@@ -3,7 +3,8 @@
 use catoptric_scene::format::spec::{KeySpec, Kind, Limits};
 use catoptric_scene::{
     AddressError, Body, Dielectric, Language, List, Material, MaterialChoice, Model, NamedMaterial,
-    RefractiveIndex, Scene, SceneEdit, SceneKey, ScenePath, SceneValue, Surroundings, read, write,
+    NoResources, RefractiveIndex, Scene, SceneEdit, SceneKey, ScenePath, SceneValue, Surroundings, read,
+    write,
 };
 use proptest::prelude::*;
 
@@ -264,7 +265,7 @@ fn a_picture_that_stays_keeps_its_pixels() {
     set(&mut scene, &["environment.picture=builtin:studio", "bodies.rod.material.texture=builtin:grid"])
         .unwrap();
     assert!(scene.images().all(|image| image.pixels().is_none()));
-    scene.open_images(None).unwrap();
+    scene.open_images(&NoResources).unwrap();
     set(&mut scene, &["environment.strength=2", "bodies.rod.radius=2"]).unwrap();
     assert!(scene.images().all(|image| image.pixels().is_some()));
     set(&mut scene, &["bodies.rod.material.texture=builtin:studio"]).unwrap();

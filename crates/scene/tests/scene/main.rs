@@ -9,7 +9,6 @@
 
 mod address;
 mod common;
-mod files;
 mod hints;
 mod malformed;
 mod properties;

@@ -1,8 +1,10 @@
-//! Work that a thread does while the window goes on.
+//! Work that a thread does while the window goes on; without threads it is done at once.
 
 use std::io;
 use std::sync::mpsc::{self, Receiver, TryRecvError};
-use std::time::Instant;
+
+use catoptric_platform::threads;
+use catoptric_platform::time::Instant;
 
 use egui::Context;
 
@@ -24,7 +26,7 @@ pub(crate) enum JobStatus<T> {
 }
 
 impl<T: Send + 'static> Job<T> {
-    /// Starts `work` on a thread of its own; the window wakes up when it is done.
+    /// Starts `work` on a thread of its own, if there are any; the window wakes up when it is done.
     ///
     /// # Errors
     /// When the system gives no thread.
@@ -35,7 +37,7 @@ impl<T: Send + 'static> Job<T> {
     ) -> io::Result<Self> {
         let (sender, receiver) = mpsc::channel();
         let context = context.clone();
-        std::thread::Builder::new().name(name.to_owned()).spawn(move || {
+        threads::start_or_do(name, move || {
             let wake = WakeAtEnd(context);
             // Whoever started it may have gone.
             let _ = sender.send(work());
@@ -63,7 +65,7 @@ impl<T: Send + 'static> Job<T> {
 /// Drops something that may take its time: gigabytes to be given back, a thread to be waited for.
 pub(crate) fn let_go(thing: impl Send + 'static) {
     // Without a thread it is dropped here and now.
-    let _ = std::thread::Builder::new().name("let go".to_owned()).spawn(move || drop(thing));
+    let _ = threads::start_or_do("let go", move || drop(thing));
 }
 
 /// Wakes the window even when the work panics.

@@ -1,9 +1,9 @@
 //! A picture made small enough for the window, on a thread of its own.
 
-use std::num::NonZero;
-
 use catoptric_picture::{Development, Picture, srgb};
+use catoptric_platform::threads;
 use egui::{Color32, ColorImage};
+use rayon::prelude::*;
 
 /// The settings of a proof: development and size.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,14 +41,9 @@ pub(crate) fn proof(picture: &Picture, wanted: &ProofKey) -> ColorImage {
         wanted.development.develop_rgba8(picture.pixels(), &mut codes);
     } else {
         let scaler = Downscaler::new(picture, wanted.development, size);
-        let threads = std::thread::available_parallelism().map_or(1, NonZero::get);
-        let rows = size[1].div_ceil(threads);
-        std::thread::scope(|scope| {
-            for (band, codes) in codes.chunks_mut(rows * size[0]).enumerate() {
-                let scaler = &scaler;
-                scope.spawn(move || scaler.fill(band * rows, codes));
-            }
-        });
+        let rows = size[1].div_ceil(threads::processors());
+        let bands = codes.par_chunks_mut(rows * size[0]).enumerate();
+        bands.for_each(|(band, codes)| scaler.fill(band * rows, codes));
     }
     let pixels = codes.into_iter().map(|[red, green, blue, _]| Color32::from_rgb(red, green, blue)).collect();
     ColorImage::new(size, pixels)

@@ -9,8 +9,8 @@ mod task;
 
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::time::Instant;
 
+use catoptric_platform::time::Instant;
 use catoptric_scene::Camera;
 use catoptric_tracer::raster::Method;
 

@@ -3,7 +3,8 @@
 mod export;
 
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+
+use catoptric_platform::time::{Duration, Instant};
 
 use egui::Context;
 

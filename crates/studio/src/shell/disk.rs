@@ -1,32 +1,17 @@
 //! Reading and writing scene files, on threads of their own.
 
-use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::time::SystemTime;
 
 use catoptric_editor::SceneWriter;
-use catoptric_files::WriteError;
-use catoptric_scene::{Diagnostic, Diagnostics, LONGEST_TEXT, LoadError, Scene, load_partly, save};
+use catoptric_platform::files::{FileStamp, WriteError};
+use catoptric_platform::time::SystemTime;
+use catoptric_scene::{Diagnostic, Diagnostics, LONGEST_TEXT, Scene};
+use catoptric_store::{LoadError, load_partly, save};
 use fluent_bundle::FluentValue;
 
 use crate::base::texts::Texts;
-
-/// The identity, size and time of a file, which tell whether it has changed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct FileStamp {
-    modified: Option<SystemTime>,
-    length: u64,
-}
-
-impl FileStamp {
-    /// The stamp of the file at `path`, if there is one.
-    pub(super) fn of(path: &Path) -> Option<Self> {
-        let metadata = fs::metadata(path).ok()?;
-        Some(Self { modified: metadata.modified().ok(), length: metadata.len() })
-    }
-}
 
 /// A scene file that was read, at least in part.
 #[derive(Clone, Debug)]
@@ -181,8 +166,11 @@ pub(crate) fn write_failure_in_words(texts: &Texts, error: &WriteError) -> Strin
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use std::fs;
+
     use catoptric_editor::Editor;
+
+    use super::*;
 
     #[test]
     fn a_file_changed_by_another_program_is_not_replaced() {

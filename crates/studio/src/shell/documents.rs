@@ -17,10 +17,10 @@ mod watch;
 
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::time::SystemTime;
 
 use catoptric_editor::Editor;
 use catoptric_editor::navigate::CachedCameraRange;
+use catoptric_platform::time::SystemTime;
 use catoptric_scene::Example;
 use egui::{Context, ViewportCommand};
 
@@ -204,7 +204,7 @@ pub(crate) fn save_as(studio: &mut Studio, then: Option<NextDocument>) {
 fn usual_folder(studio: &Studio) -> Option<PathBuf> {
     let last = || studio.settings.recent.first().map(PathBuf::as_path);
     let beside = studio.editor.path().or_else(last).and_then(std::path::Path::parent);
-    beside.map(PathBuf::from).or_else(|| etcetera::home_dir().ok())
+    beside.map(PathBuf::from).or_else(|| studio.host.home_folder())
 }
 
 fn usual_name(studio: &Studio) -> String {

@@ -49,7 +49,7 @@ impl FilePrompt {
 fn own(studio: &mut Studio, question: &FileQuestion) -> FilePromptChannel {
     let (sender, receiver) = mpsc::channel();
     let recent = studio.settings.recent.iter().filter_map(|path| Some(path.parent()?.to_owned()));
-    let dialog = FileDialog::new(question.clone(), recent, sender);
+    let dialog = FileDialog::new(question.clone(), studio.host.home_folder(), recent, sender);
     studio.dialogs.open(dialog);
     FilePromptChannel::Own(receiver)
 }

@@ -2,6 +2,7 @@
 
 use catoptric_editor::Editor;
 use catoptric_live::{Live, Request};
+use catoptric_platform::time::{Duration, Instant};
 use catoptric_scene::Scene;
 use egui::{CentralPanel, Context, Frame, Panel, SurrenderFocusOn, Ui};
 use egui_tiles::Tree;
@@ -139,6 +140,7 @@ impl Studio {
         measure::keep_up(ui.ctx(), self);
         self.settle(ui);
         self.request_picture();
+        self.trace_slice(ui.ctx());
     }
 
     fn first_steps_ui(&mut self, context: &Context) {
@@ -213,6 +215,18 @@ impl Studio {
             request.size = [0, 0];
         }
         self.live.request(request);
+    }
+
+    /// Traces for a moment where the tracer has no thread of its own.
+    fn trace_slice(&self, context: &Context) {
+        /// What a frame may take for it.
+        const SLICE: Duration = Duration::from_millis(8);
+        if !self.live.has_thread() {
+            self.live.advance(Instant::now() + SLICE);
+            if !self.live.status().is_idle {
+                context.request_repaint();
+            }
+        }
     }
 
     fn panes_ui(&mut self, ui: &mut Ui) {

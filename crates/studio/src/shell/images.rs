@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use catoptric_editor::Label;
 use catoptric_scene::{Image, ImageSource, Surroundings};
+use catoptric_store::path_from;
 use egui::Context;
 
 use crate::base::job::JobStatus;
@@ -79,7 +80,7 @@ fn take_answer(context: &Context, studio: &mut Studio) {
         FilePromptState::Chosen(chosen) => {
             let folder =
                 studio.editor.path().and_then(Path::parent).map_or_else(PathBuf::new, Path::to_owned);
-            give(studio, usage, &Image::path_from(&folder, &chosen.path));
+            give(studio, usage, &path_from(&folder, &chosen.path));
         }
     }
 }

@@ -5,9 +5,9 @@ mod software;
 
 use std::cell::OnceCell;
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::Instant;
 
 use catoptric_gpu::LossWatch;
+use catoptric_platform::time::Instant;
 use eframe::NativeOptions;
 use egui::{
     Context, Event, IconData, Modifiers, PointerButton, RawInput, Ui, ViewportBuilder, ViewportCommand,

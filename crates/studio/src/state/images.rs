@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use catoptric_scene::{Image, ImageError, ImageFault, ImageSource, Scene};
+use catoptric_store::Folder;
 use egui::Context;
 
 use crate::base::job::{Job, JobStatus, let_go};
@@ -82,7 +83,7 @@ impl DocumentImages {
     ) -> std::io::Result<()> {
         let work = move || {
             let open = |source: ImageSource| {
-                let image = Image::open_source(&source, folder.as_deref());
+                let image = Image::open(&source, &Folder::new(folder.as_deref()));
                 (source, image)
             };
             sources.into_iter().map(open).collect()
@@ -156,9 +157,7 @@ pub(crate) fn in_words(texts: &Texts, error: &ImageError) -> String {
         ImageFault::NotBuiltIn => texts.get("picture-not-built-in").to_owned(),
         ImageFault::BuiltInLayer => texts.get("picture-built-in-layer").to_owned(),
         ImageFault::NotAFile => texts.get("picture-not-a-file").to_owned(),
-        ImageFault::Missing(file) => {
-            texts.with("picture-missing", &[("path", file.display().to_string().into())])
-        }
+        ImageFault::Missing(file) => texts.with("picture-missing", &[("path", file.as_str().into())]),
         ImageFault::TooLarge { width, height } => {
             texts.with("picture-too-large", &[("size", format!("{width}×{height}").into())])
         }

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use catoptric_platform::files;
 use catoptric_tracer::raster::MethodKind;
 use egui_tiles::Tree;
 use serde::{Deserialize, Serialize};
@@ -15,6 +16,9 @@ use crate::state::render_choices::RenderChoices;
 
 /// How many files the menu of recent ones holds.
 const RECENT: usize = 12;
+
+/// A longer file of settings is damaged, bytes.
+const LONGEST: u64 = 1 << 20;
 
 /// The saved settings. A missing, unknown or unreadable entry has its default, so that files of other versions can be
 /// read.
@@ -96,7 +100,7 @@ impl Settings {
 
     /// Reads the settings at `path`. A file that is missing or damaged gives those of the first start.
     pub fn load(path: &Path) -> Self {
-        let text = std::fs::read_to_string(path).unwrap_or_default();
+        let text = files::read_text(path, LONGEST).unwrap_or_default();
         let mut settings = Self::of(serde_json::from_str(&text).unwrap_or_default());
         settings.zoom = if settings.zoom.is_finite() { settings.zoom.clamp(0.5, 3.0) } else { 1.0 };
         settings.viewport_samples = settings.viewport_samples.clamp(1, 1024);
@@ -126,10 +130,10 @@ impl Settings {
     /// When the file or its folder cannot be written.
     pub fn save(&self, path: &Path) -> std::io::Result<()> {
         if let Some(folder) = path.parent() {
-            std::fs::create_dir_all(folder)?;
+            files::create_folders(folder)?;
         }
         let text = serde_json::to_string_pretty(self)?;
-        catoptric_files::write_bytes(path, text.as_bytes()).map_err(std::io::Error::other)
+        files::write_bytes(path, text.as_bytes()).map_err(std::io::Error::other)
     }
 
     /// Width over height of the pictures to be made.

@@ -368,7 +368,7 @@ fn how_long_a_large_tree_takes() {
     use std::time::Instant;
     let host = TestHost::new();
     let path = host.path("panes.toml");
-    catoptric_scene::save(&path, &catoptric_scene::write(&panes(14))).unwrap();
+    catoptric_store::save(&path, &catoptric_scene::write(&panes(14))).unwrap();
     let mut harness = studio_with(host.clone(), StartDocument::File(path));
     harness.set_size(Vec2::new(1500.0, 900.0));
     harness.run_steps(2);

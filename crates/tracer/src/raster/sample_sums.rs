@@ -1,8 +1,7 @@
 //! Where samples of a picture add up, and rows of pixels worked on by all threads.
 
-use std::time::{Duration, Instant};
-
 use catoptric_picture::{Picture, SizeError};
+use catoptric_platform::time::{Duration, Instant};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 

@@ -1,17 +1,30 @@
 //! Watching and stopping a render.
 
+use std::fmt;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 /// How a running render is watched and stopped, from any thread.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub struct RenderControl {
     pub(crate) cancel: AtomicBool,
+    pause: Option<Box<dyn Fn() -> bool + Send + Sync>>,
     pixels_done: AtomicU64,
     pixels_expected: AtomicU64,
     rays_done: AtomicU64,
 }
 
 impl RenderControl {
+    /// A control that pauses work which can be taken up again, such as the passes of a [`Film`](crate::Film), as soon as
+    /// `pause` says so. It is asked after every tile.
+    pub fn pausing_when(pause: impl Fn() -> bool + Send + Sync + 'static) -> Self {
+        Self { pause: Some(Box::new(pause)), ..Self::default() }
+    }
+
+    /// Whether the work should pause now.
+    pub(crate) fn should_pause(&self) -> bool {
+        self.pause.as_ref().is_some_and(|pause| pause())
+    }
+
     /// Asks the render to stop; it does so within a pixel, some ten thousand rays later.
     pub fn cancel(&self) {
         self.cancel.store(true, Ordering::Relaxed);
@@ -51,5 +64,16 @@ impl RenderControl {
     /// Pixels finished so far.
     pub fn pixels_done(&self) -> u64 {
         self.pixels_done.load(Ordering::Relaxed)
+    }
+}
+
+impl fmt::Debug for RenderControl {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.debug_struct("RenderControl")
+            .field("is_cancelled", &self.is_cancelled())
+            .field("pixels_done", &self.pixels_done())
+            .field("pixels_expected", &self.pixels_expected())
+            .field("rays_done", &self.rays_done())
+            .finish_non_exhaustive()
     }
 }

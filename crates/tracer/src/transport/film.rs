@@ -1,5 +1,7 @@
 //! A picture that is refined sample by sample.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use catoptric_picture::{Picture, SizeError};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
@@ -18,7 +20,8 @@ use crate::transport::tile_rect::{TILE, TileRect};
 /// precision and grow in the order of the samples.
 ///
 /// A tile takes a sample as a whole or not at all, and remembers how many it has. So a cancelled pass spoils nothing:
-/// the picture stays valid, some tiles being a sample ahead, and the next pass does what is missing.
+/// the picture stays valid, some tiles being a sample ahead, and the next pass does what is missing. So does a pass that
+/// [pauses](RenderControl::pausing_when): a film can be traced in slices of a few milliseconds.
 #[derive(Clone, Debug)]
 pub struct Film {
     width: u32,
@@ -27,6 +30,8 @@ pub struct Film {
     edge: usize,
     tiles: Vec<FilmTile>,
     samples: u32,
+    /// The rays of the tiles that are a sample ahead.
+    ahead: RayCounts,
 }
 
 #[derive(Clone, Debug)]
@@ -44,7 +49,8 @@ impl Film {
     /// When the size is 0 or too large, or there is too little memory.
     pub fn new(width: u32, height: u32) -> Result<Self, SizeError> {
         Picture::check_size(width, height)?;
-        let mut film = Self { width, height, edge: 0, tiles: Vec::new(), samples: 0 };
+        let mut film =
+            Self { width, height, edge: 0, tiles: Vec::new(), samples: 0, ahead: RayCounts::default() };
         film.divide(TILE)?;
         Ok(film)
     }
@@ -82,15 +88,16 @@ impl Film {
 
     /// Forgets all light; the memory is kept for the next picture of this size.
     pub fn clear(&mut self) {
-        self.samples = 0;
+        (self.samples, self.ahead) = (0, RayCounts::default());
         self.tiles.iter_mut().for_each(|tile| tile.samples = 0);
     }
 
-    /// Adds the next sample of every pixel, on the threads of the current rayon pool, and returns the rays it took.
+    /// Adds the next sample of every pixel, on the threads of the current rayon pool, and returns the rays it took, those
+    /// of earlier passes that did not finish it among them.
     /// Scene and camera must be those of the earlier samples.
     ///
     /// # Errors
-    /// When `control` is cancelled; see above for what becomes of the film. Before the first sample, when there is too
+    /// When `control` is cancelled or pauses; see above for what becomes of the film. Before the first sample, when there is too
     /// little memory.
     pub fn add_sample(
         &mut self,
@@ -104,6 +111,7 @@ impl Film {
         }
         let size = DVec2::new(f64::from(self.width), f64::from(self.height));
         let sample = self.samples;
+        let is_begun = AtomicBool::new(false);
         let counts = self
             .tiles
             .iter_mut()
@@ -112,16 +120,21 @@ impl Film {
             .map_init(
                 || None,
                 |tracer, tile| {
+                    // One tile at least is traced in each pass.
+                    if is_begun.swap(true, Ordering::Relaxed) && control.should_pause() {
+                        return RayCounts::default();
+                    }
                     let tracer = tracer.get_or_insert_with(|| TileRenderer::new(scene, camera, control));
                     tile.add_sample(tracer, size, control)
                 },
             )
             .reduce(RayCounts::default, std::ops::Add::add);
+        self.ahead += counts;
         if self.tiles.iter().any(|tile| tile.samples == sample) {
             return Err(RenderError::Cancelled);
         }
         self.samples = sample + 1;
-        Ok(counts)
+        Ok(std::mem::take(&mut self.ahead))
     }
 
     /// The mean of the samples so far; black before the first.

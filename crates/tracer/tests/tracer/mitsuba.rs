@@ -23,7 +23,7 @@ fn folder() -> PathBuf {
 const ALLOWED: f64 = 0.003;
 
 fn scene_of(path: &Path) -> Result<Scene, String> {
-    let loaded = catoptric_scene::load(path).map_err(|error| error.to_string())?;
+    let loaded = catoptric_store::load(path).map_err(|error| error.to_string())?;
     if loaded.warnings.is_empty() { Ok(loaded.scene) } else { Err(loaded.warnings.to_string()) }
 }
 

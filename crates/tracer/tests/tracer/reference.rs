@@ -24,7 +24,7 @@ fn allowed_share(name: &str) -> f64 {
 
 /// Renders a scene in the size of its reference picture.
 fn trace(scene: &Path, reference: &Picture) -> Result<Picture, String> {
-    let loaded = catoptric_scene::load(scene).map_err(|error| error.to_string())?;
+    let loaded = catoptric_store::load(scene).map_err(|error| error.to_string())?;
     if !loaded.warnings.is_empty() {
         return Err(format!("the reader warns: {}", loaded.warnings));
     }

@@ -24,7 +24,7 @@ impl ImageFault {
             }
             Self::BuiltInLayer => "у картинки из программы нет слоёв; уберите `layer`".to_owned(),
             Self::Missing(path) => {
-                format!("нет файла `{}`; проверьте путь, он начинается в папке сцены", path.display())
+                format!("нет файла `{path}`; проверьте путь, он начинается в папке сцены")
             }
             Self::NotAFile => "это не обычный файл; сохраните картинку в файл".to_owned(),
             Self::TooLarge { width, height } => {

@@ -127,7 +127,7 @@ impl CompareWork {
             return Err(CompareFailure::Sizes(size, other));
         }
         // The common threads of the program, of which there is one for each processor.
-        let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+        let threads = catoptric_platform::threads::processors();
         let contenders = self.contenders(files, size)?;
         let compared = compare(contenders, BOUND)?;
         if self.control.is_cancelled() {

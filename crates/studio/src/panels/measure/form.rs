@@ -59,7 +59,7 @@ impl Default for MeasureForm {
 impl ParameterDraft {
     /// A parameter with the values that are usual for this machine.
     fn usual(parameter: Option<Parameter>) -> Self {
-        let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+        let threads = catoptric_platform::threads::processors();
         let values = parameter.map_or_else(Vec::new, |parameter| parameter.usual_values(threads));
         let values = values.iter().map(Value::to_string).collect::<Vec<_>>().join(", ");
         Self { parameter, values }

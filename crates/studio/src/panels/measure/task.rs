@@ -1,10 +1,10 @@
 //! Measuring on a thread of its own.
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
-use std::time::{Duration, Instant};
 
 use catoptric_lab::Machine;
 use catoptric_lab::measure::{MeasureError, MeasurePlan, Measurement, Parameter, measure};
+use catoptric_platform::time::{Duration, Instant};
 use catoptric_tracer::RenderControl;
 use catoptric_tracer::raster::MethodError;
 use egui::Context;

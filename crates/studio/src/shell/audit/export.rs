@@ -28,6 +28,7 @@ struct TreeDrawingExport(Arc<Audit>);
 
 impl Export for TreeDrawingExport {
     fn write(&self, path: &Path) -> Result<(), ExportFailure> {
-        catoptric_files::write_bytes(path, self.0.to_svg(None).as_bytes()).map_err(ExportFailure::Write)
+        catoptric_platform::files::write_bytes(path, self.0.to_svg(None).as_bytes())
+            .map_err(ExportFailure::Write)
     }
 }

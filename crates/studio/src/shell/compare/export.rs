@@ -76,7 +76,7 @@ fn take_picture(comparing: &mut CompareState, side: usize, path: PathBuf) {
 impl Export for CompareExport {
     fn write(&self, path: &Path) -> Result<(), ExportFailure> {
         let html = self.page().map_err(ExportFailure::Content)?;
-        catoptric_files::write_bytes(path, html.as_bytes()).map_err(ExportFailure::Write)
+        catoptric_platform::files::write_bytes(path, html.as_bytes()).map_err(ExportFailure::Write)
     }
 }
 

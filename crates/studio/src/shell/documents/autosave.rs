@@ -1,7 +1,8 @@
 //! Autosave: when unsaved work is written to the recovery folder.
 
 use std::path::Path;
-use std::time::{Duration, Instant};
+
+use catoptric_platform::time::{Duration, Instant};
 
 use egui::Context;
 
@@ -102,7 +103,7 @@ pub(super) fn keep_now(studio: &mut Studio) {
         send(studio, state, start);
     }
     while studio.documents.autosave.kept != Some(state) && start.elapsed() < PATIENCE {
-        std::thread::sleep(Duration::from_millis(5));
+        catoptric_platform::threads::sleep(Duration::from_millis(5));
         take_reports(studio);
     }
 }

@@ -1,8 +1,8 @@
 //! The banner about problems, files under way, and the drop target.
 
 use std::sync::Arc;
-use std::time::{Duration, Instant};
 
+use catoptric_platform::time::{Duration, Instant};
 use catoptric_scene::Diagnostics;
 use egui::{
     Align, Align2, Area, Frame, Id, Label, Layout, Margin, Order, Panel, RichText, Spinner, Ui, vec2,

@@ -5,7 +5,7 @@ use std::rc::Rc;
 use std::sync::Arc;
 
 use catoptric_editor::RefusedChange;
-use catoptric_scene::Image;
+use catoptric_store::path_from;
 use egui::Context;
 
 use super::{banner, close_guard};
@@ -143,7 +143,7 @@ pub(super) fn take_dropped(context: &Context, studio: &mut Studio) {
         None => match dropped.iter().find(|path| file_prompt::fits(path, FileKind::Picture)) {
             Some(path) if !studio.dialogs.is_any_open() => {
                 let folder = studio.editor.path().and_then(Path::parent).unwrap_or(Path::new(""));
-                let path = Image::path_from(folder, path);
+                let path = path_from(folder, path);
                 images::give(studio, ImageUse::Surroundings, &path);
             }
             _ => {

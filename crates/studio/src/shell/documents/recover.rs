@@ -5,7 +5,8 @@ use std::rc::Rc;
 use std::sync::Arc;
 
 use catoptric_editor::Editor;
-use catoptric_scene::{load_partly, read};
+use catoptric_scene::read;
+use catoptric_store::{Folder, load_partly};
 use egui::Context;
 
 use super::recovery_dialog::RecoveryDialog;
@@ -22,7 +23,10 @@ pub(crate) fn restore(context: &Context, studio: &mut Studio, found: &Recoverabl
     let work = move || {
         let snapshot = orphan.read().map_err(|error| error.to_string())?;
         let mut reading = read(&snapshot.text);
-        reading.open_images(snapshot.original_path.as_deref().and_then(Path::parent), &snapshot.text);
+        reading.open_images(
+            &Folder::new(snapshot.original_path.as_deref().and_then(Path::parent)),
+            &snapshot.text,
+        );
         // What was kept reads well even where the file did not; saving would replace the unread parts all the same.
         let has_errors = |path| load_partly(path).is_ok_and(|(reading, _)| reading.diagnostics.has_errors());
         let is_partial =

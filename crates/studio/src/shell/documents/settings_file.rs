@@ -1,7 +1,6 @@
 //! The settings file: written by a thread, a moment after a change, and at the end.
 
-use std::time::{Duration, Instant};
-
+use catoptric_platform::time::{Duration, Instant};
 use egui::Context;
 
 use super::banner;
@@ -103,7 +102,7 @@ pub(super) fn finish(studio: &mut Studio) {
     note_layout(studio);
     // One that is under way must not come later.
     while let Some(JobStatus::Waiting) = studio.documents.memory.job.as_ref().map(Job::poll) {
-        std::thread::sleep(Duration::from_millis(5));
+        catoptric_platform::threads::sleep(Duration::from_millis(5));
     }
     if studio.documents.memory.written.as_ref() == Some(&studio.settings) {
         return;

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use catoptric_platform::files;
 use catoptric_scene::Example;
 use egui::Context;
 
@@ -52,8 +53,8 @@ fn show_named(studio: &mut Studio, name: &str) {
 /// Shows the file at `path`. If it cannot be read, the first example is shown with the reason.
 fn show_file(context: &Context, studio: &mut Studio, path: &Path, is_last: bool) {
     let path: PathBuf = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
-    match std::fs::metadata(&path) {
-        Ok(found) if found.is_file() && found.len() > SHORT => {
+    match files::status(&path) {
+        Ok(found) if found.is_file && found.length > SHORT => {
             show_fresh(studio);
             studio.settings.last = Some(LastScene::File(path.clone()));
             open::begin(context, studio, &path);

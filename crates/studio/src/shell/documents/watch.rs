@@ -28,7 +28,7 @@ pub(super) fn keep(context: &Context, studio: &mut Studio) {
     }
     let Some(watch) = &outside.watch else { return };
     if context.input(|input| input.raw.events.contains(&Event::WindowFocused(true))) {
-        watch.thread.unpark();
+        watch.look();
     }
     for change in watch.changes.try_iter() {
         match change {

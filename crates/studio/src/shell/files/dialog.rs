@@ -59,10 +59,10 @@ impl FileDialog {
     /// Asks `question`; the answer goes to `sender`.
     pub(crate) fn new(
         question: FileQuestion,
+        home: Option<PathBuf>,
         recent: impl Iterator<Item = PathBuf>,
         sender: Sender<Option<ChosenFile>>,
     ) -> Self {
-        let home = etcetera::home_dir().ok();
         let folder = question.folder.clone().or_else(|| home.clone()).unwrap_or_else(|| PathBuf::from("."));
         let folder = std::path::absolute(&folder).unwrap_or(folder);
         let mut folders: Vec<PathBuf> = Vec::new();

@@ -38,9 +38,9 @@ impl Export for MeasurementExport {
     fn write(&self, path: &Path) -> Result<(), ExportFailure> {
         let study = study(&self.measured, self.language)
             .map_err(|error| ExportFailure::Content(error.to_string()))?;
-        std::fs::create_dir_all(path).map_err(ExportFailure::Folder)?;
+        catoptric_platform::files::create_folders(path).map_err(ExportFailure::Folder)?;
         for (name, bytes) in &study.files {
-            catoptric_files::write_bytes(&path.join(name), bytes).map_err(ExportFailure::Write)?;
+            catoptric_platform::files::write_bytes(&path.join(name), bytes).map_err(ExportFailure::Write)?;
         }
         Ok(())
     }

@@ -1,9 +1,9 @@
 //! Copying pictures to the clipboard.
 
 use std::sync::Arc;
-use std::time::{Duration, Instant};
 
 use catoptric_picture::{Development, Picture};
+use catoptric_platform::time::{Duration, Instant};
 use egui::{ColorImage, Context};
 
 use crate::base::job::{Job, JobStatus};

@@ -1,13 +1,14 @@
 //! Autosave: a thread writes unsaved work every few seconds beside the recovery files of other studios.
 
+use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::{self, Receiver, Sender};
-use std::thread::JoinHandle;
-use std::time::Instant;
 
 use catoptric_editor::SceneWriter;
 use catoptric_editor::recovery::{Orphan, Session, Snapshot, orphans};
+use catoptric_platform::threads::{self, Thread};
+use catoptric_platform::time::Instant;
 use egui::Context;
 
 use super::recovery::RecoverableDocument;
@@ -36,19 +37,27 @@ pub(crate) struct Autosave {
     pub(crate) found: Vec<RecoverableDocument>,
 }
 
-/// The thread that writes. If it is dropped without an order, as after a panic, the recovery file stays.
+/// What writes. If it is dropped without an order, as after a panic, the recovery file stays.
 pub(crate) struct AutosaveThread {
-    pub(crate) orders: Option<Sender<AutosaveRequest>>,
+    orders: AutosaveOrders,
     pub(crate) reports: Receiver<AutosaveReport>,
-    pub(crate) handle: Option<JoinHandle<()>>,
+}
+
+/// Who takes the orders.
+enum AutosaveOrders {
+    /// A thread, which ends when there is nobody to give orders any more.
+    Thread(Option<Sender<AutosaveRequest>>, Option<Thread>),
+    /// The window's thread, where there are no others.
+    Window(RefCell<AutosaveWriter>),
 }
 
 impl Drop for AutosaveThread {
     fn drop(&mut self) {
-        // It ends when there is nobody to give orders any more.
-        self.orders = None;
-        if let Some(handle) = self.handle.take() {
-            let _ = handle.join();
+        if let AutosaveOrders::Thread(orders, thread) = &mut self.orders {
+            drop(orders.take());
+            if let Some(thread) = thread.take() {
+                thread.join();
+            }
         }
     }
 }
@@ -78,24 +87,23 @@ pub(crate) enum AutosaveReport {
 impl Autosave {
     /// Starts the thread, which also looks for what was left behind.
     pub(crate) fn start(context: &Context, folder: PathBuf) -> Self {
-        let (orders, inbox) = mpsc::channel();
         let (outbox, reports) = mpsc::channel();
         let context = context.clone();
-        let work = move || {
-            let report = |report| {
-                let _ = outbox.send(report);
-                context.request_repaint();
-            };
-            attend(&folder, &inbox, report);
+        let report = move |report| {
+            let _ = outbox.send(report);
+            context.request_repaint();
         };
-        let thread = std::thread::Builder::new().name("recovery".to_owned()).spawn(work);
-        match thread {
-            Ok(handle) => {
-                let thread = AutosaveThread { orders: Some(orders), reports, handle: Some(handle) };
-                Self { thread: Some(thread), ..Self::default() }
-            }
-            Err(_) => Self::default(),
-        }
+        let writer = move || AutosaveWriter::start(folder, report);
+        let orders = if threads::are_available() {
+            let (orders, inbox) = mpsc::channel();
+            let Ok(thread) = Thread::start("recovery", move || writer().attend(&inbox)) else {
+                return Self::default();
+            };
+            AutosaveOrders::Thread(Some(orders), Some(thread))
+        } else {
+            AutosaveOrders::Window(RefCell::new(writer()))
+        };
+        Self { thread: Some(AutosaveThread { orders, reports }), ..Self::default() }
     }
 
     /// What is unsaved is to be offered at the next start.
@@ -114,8 +122,10 @@ impl Autosave {
     }
 
     pub(crate) fn order(&self, order: AutosaveRequest) {
-        if let Some(orders) = self.thread.as_ref().and_then(|thread| thread.orders.as_ref()) {
-            let _ = orders.send(order);
+        match self.thread.as_ref().map(|thread| &thread.orders) {
+            Some(AutosaveOrders::Thread(Some(orders), _)) => _ = orders.send(order),
+            Some(AutosaveOrders::Window(writer)) => writer.borrow_mut().take(order),
+            Some(AutosaveOrders::Thread(None, _)) | None => {}
         }
     }
 
@@ -131,40 +141,61 @@ impl Autosave {
     }
 }
 
-/// The thread's life.
-fn attend(folder: &Path, inbox: &Receiver<AutosaveRequest>, report: impl Fn(AutosaveReport)) {
-    let found: Vec<RecoverableDocument> = orphans(folder).into_iter().map(RecoverableDocument::new).collect();
-    if !found.is_empty() {
-        report(AutosaveReport::Found(found));
+/// Writes the document that it is told to keep.
+struct AutosaveWriter {
+    folder: PathBuf,
+    report: Box<dyn Fn(AutosaveReport) + Send>,
+    session: Option<Session>,
+    is_kept: bool,
+}
+
+impl AutosaveWriter {
+    /// Reports first what was left behind.
+    fn start(folder: PathBuf, report: impl Fn(AutosaveReport) + Send + 'static) -> Self {
+        let found: Vec<RecoverableDocument> =
+            orphans(&folder).into_iter().map(RecoverableDocument::new).collect();
+        if !found.is_empty() {
+            report(AutosaveReport::Found(found));
+        }
+        Self { folder, report: Box::new(report), session: None, is_kept: false }
     }
-    let mut session: Option<Session> = None;
-    let mut is_kept = false;
-    while let Ok(order) = inbox.recv() {
+
+    /// Takes orders until nobody gives any.
+    fn attend(mut self, inbox: &Receiver<AutosaveRequest>) {
+        inbox.iter().for_each(|order| self.take(order));
+    }
+
+    fn take(&mut self, order: AutosaveRequest) {
         match order {
             AutosaveRequest::Keep { state, writing, path, title } => {
                 // The next studio may be started in another folder.
                 let writing = if path.is_some() { writing } else { writing.with_whole_paths() };
                 let snapshot = Snapshot { original_path: path, title, text: writing.text() };
-                let result = keep_in(&mut session, folder, &snapshot);
-                is_kept = result.is_ok();
-                report(result.map_or_else(AutosaveReport::Failed, |()| AutosaveReport::Kept(state)));
+                let result = keep_in(&mut self.session, &self.folder, &snapshot);
+                self.is_kept = result.is_ok();
+                (self.report)(result.map_or_else(AutosaveReport::Failed, |()| AutosaveReport::Kept(state)));
             }
-            AutosaveRequest::Clear => _ = session.as_mut().map(Session::clear),
+            AutosaveRequest::Clear => _ = self.session.as_mut().map(Session::clear),
             AutosaveRequest::Discard(orphan) => discard(orphan),
             AutosaveRequest::Finish { leave_behind, restored } => {
-                if is_kept || !leave_behind {
+                if self.is_kept || !leave_behind {
                     restored.into_iter().for_each(discard);
                 }
-                if leave_behind && let Some(session) = session.take() {
+                let session = self.session.take();
+                if leave_behind && let Some(session) = session {
                     session.leave_behind();
                 }
-                return;
             }
         }
     }
-    // The window is gone without a word, as after a fault.
-    if let Some(session) = session.take() {
-        session.leave_behind();
+}
+
+impl Drop for AutosaveWriter {
+    fn drop(&mut self) {
+        // The window is gone without a word, as after a fault.
+        if let Some(session) = self.session.take() {
+            session.leave_behind();
+        }
     }
 }
 
@@ -200,7 +231,8 @@ mod tests {
             .send(AutosaveRequest::Keep { state: (0, 0), writing, path: None, title: String::new() })
             .unwrap();
         orders.send(AutosaveRequest::Finish { leave_behind: true, restored }).unwrap();
-        attend(folder, &inbox, |_| {});
+        drop(orders);
+        AutosaveWriter::start(folder.to_owned(), |_| {}).attend(&inbox);
         orphans(orphans_folder).len()
     }
 

@@ -4,9 +4,9 @@ use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::rc::{Rc, Weak};
 use std::sync::Arc;
-use std::time::Instant;
 
 use catoptric_editor::SceneWriter;
+use catoptric_platform::time::Instant;
 use catoptric_scene::Example;
 
 use super::autosave::Autosave;

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use catoptric_files::WriteError;
+use catoptric_platform::files::WriteError;
 
 use super::file_prompt::FilePrompt;
 use crate::base::job::Job;

@@ -3,10 +3,10 @@
 use std::path::PathBuf;
 use std::rc::Weak;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
 
 use catoptric_live::RenderJob;
 use catoptric_picture::{Development, FormatError, Picture, SizeError, WriteError};
+use catoptric_platform::time::{Duration, Instant};
 use catoptric_tracer::{RayCounts, RenderOutput};
 use egui::ColorImage;
 

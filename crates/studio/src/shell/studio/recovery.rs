@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::time::SystemTime;
 
 use catoptric_editor::recovery::{Orphan, Snapshot};
+use catoptric_platform::time::SystemTime;
 use catoptric_scene::{Diagnostics, Scene};
 
 use crate::base::job::Job;

@@ -1,15 +1,13 @@
 //! A watch over changes of the open file by other programs.
 
-use std::io::Read as _;
 use std::path::{Path, PathBuf};
-use std::sync::mpsc::{self, Receiver, Sender};
-use std::sync::{Arc, Weak};
-use std::thread::{self, Thread};
-use std::time::Duration;
+use std::sync::Arc;
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
 
+use catoptric_platform::files::{FileStamp, read_start};
+use catoptric_platform::threads::Thread;
+use catoptric_platform::time::Duration;
 use egui::Context;
-
-use crate::shell::disk::FileStamp;
 
 /// How often the file is looked at; it is looked at when the window gets the focus, too.
 const INTERVAL: Duration = Duration::from_secs(2);
@@ -43,36 +41,30 @@ pub(crate) enum FileChange {
 pub(crate) struct FileWatch {
     pub(crate) known: WatchedFile,
     pub(crate) changes: Receiver<FileChange>,
-    pub(crate) thread: Thread,
-    /// The thread ends without it.
-    pub(crate) alive: Option<Arc<()>>,
+    /// Has the thread look at once; the thread ends without it.
+    look: Sender<()>,
 }
 
 impl FileWatch {
     pub(crate) fn start(context: &Context, known: WatchedFile) -> Option<Self> {
         let (sender, changes) = mpsc::channel();
-        let alive = Arc::new(());
-        let (watched, life, context) = (known.clone(), Arc::downgrade(&alive), context.clone());
+        let (look, orders) = mpsc::channel();
+        let (watched, context) = (known.clone(), context.clone());
         // Without a thread, a change is found when the document is saved.
-        let handle = thread::Builder::new()
-            .name("file watch".to_owned())
-            .spawn(move || look(&watched, &life, &sender, &context))
-            .ok()?;
-        Some(Self { known, changes, thread: handle.thread().clone(), alive: Some(alive) })
+        Thread::start("file watch", move || watch(&watched, &orders, &sender, &context)).ok()?;
+        Some(Self { known, changes, look })
     }
-}
 
-impl Drop for FileWatch {
-    fn drop(&mut self) {
-        self.alive = None;
-        self.thread.unpark();
+    /// Looks at the file now.
+    pub(crate) fn look(&self) {
+        let _ = self.look.send(());
     }
 }
 
 /// Tells each change of the file once.
-fn look(known: &WatchedFile, life: &Weak<()>, sender: &Sender<FileChange>, context: &Context) {
+fn watch(known: &WatchedFile, orders: &Receiver<()>, sender: &Sender<FileChange>, context: &Context) {
     let mut last = known.stamp;
-    while life.strong_count() > 0 {
+    loop {
         if let Some(found) = FileStamp::of(&known.path).filter(|found| *found != last) {
             last = found;
             let is_same = has_text(&known.path, &known.text);
@@ -82,17 +74,16 @@ fn look(known: &WatchedFile, life: &Weak<()>, sender: &Sender<FileChange>, conte
             }
             context.request_repaint();
         }
-        thread::park_timeout(INTERVAL);
+        if orders.recv_timeout(INTERVAL) == Err(RecvTimeoutError::Disconnected) {
+            return;
+        }
     }
 }
 
 /// Whether the file at `path` has just this text.
 fn has_text(path: &Path, text: &str) -> bool {
-    let Ok(file) = std::fs::File::open(path) else { return false };
-    let mut read = Vec::with_capacity(text.len() + 1);
     // A byte more than the text shows that the file is longer.
-    let limit = text.len() as u64 + 1;
-    file.take(limit).read_to_end(&mut read).is_ok() && read == text.as_bytes()
+    read_start(path, text.len() as u64 + 1).is_ok_and(|read| read == text.as_bytes())
 }
 
 /// The changes of the file by other programs.

@@ -1,6 +1,6 @@
 //! The count of lost devices.
 
-use std::time::{Duration, Instant};
+use catoptric_platform::time::{Duration, Instant};
 
 /// A driver that fails so often within [`SPAN`] is not asked again.
 const MOST: usize = 3;

@@ -143,7 +143,7 @@ fn after_saving_elsewhere_every_step_finds_its_pictures() {
         window.state_mut().run(FileCommand::Save);
         window.run_steps(4);
         wait_until(window, "the file", |studio| !studio.is_saving() && !studio.editor().is_changed());
-        let saved = catoptric_scene::load(window.state().editor().path().unwrap()).unwrap().scene;
+        let saved = catoptric_store::load(window.state().editor().path().unwrap()).unwrap().scene;
         assert_eq!(saved, *scene(window));
         saved.environment.surroundings.picture().map(|image| image.path().to_owned())
     };
@@ -195,7 +195,7 @@ fn pictures_of_files_are_named_from_the_folder_of_the_scene_and_move_with_it() {
     for (name, path) in [("a.toml", "around.exr"), ("b.toml", image.to_str().unwrap())] {
         save_as(&mut window, name);
         assert_eq!(picture(&window).path(), path, "{name}");
-        let saved = catoptric_scene::load(window.state().editor().path().unwrap()).unwrap();
+        let saved = catoptric_store::load(window.state().editor().path().unwrap()).unwrap();
         assert_eq!(saved.scene, *scene(&window), "{name}");
     }
     let before = scene(&window);

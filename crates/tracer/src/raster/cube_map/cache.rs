@@ -2,7 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+
+use catoptric_platform::time::{Duration, Instant};
 
 use crate::geometry::body::RenderBody;
 use crate::raster::cube_map::CubeMap;

@@ -55,7 +55,7 @@ fn all_widths_trace_the_same_picture() {
     let physical = physical.map(|name| format!("../mitsuba/{name}"));
     let patterned = ["../../crates/scene/examples/textures".to_owned()];
     for name in plain.map(str::to_owned).into_iter().chain(physical).chain(patterned) {
-        let scene = catoptric_scene::load(folder.join(format!("{name}.toml"))).unwrap().scene;
+        let scene = catoptric_store::load(folder.join(format!("{name}.toml"))).unwrap().scene;
         let render_scene = RenderScene::build(&scene).unwrap();
         let (alone, rays) = trace::<true>(&render_scene, |sample| sample.run(ScalarWidth));
         for (lanes_name, lanes) in SimdLevel::all() {
@@ -78,7 +78,7 @@ fn all_widths_trace_the_same_picture() {
 #[test]
 fn the_hierarchy_leaves_out_nothing_that_is_met() {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/reference/cloud.toml");
-    let mut scene = catoptric_scene::load(file).unwrap().scene;
+    let mut scene = catoptric_store::load(file).unwrap().scene;
     // Some of them glass, so that shadow rays go on behind what they meet.
     let glass = catoptric_scene::Phong { transmission: 0.7, ior: 1.3, ..Default::default() };
     for at in (0..scene.bodies.len()).step_by(3) {
@@ -103,7 +103,7 @@ fn groups_show_what_tiles_show() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/reference");
     // With rays that wait in many levels, and with chance.
     for name in ["cloud", "coloured-glass", "../mitsuba/soft-shadow"] {
-        let scene = catoptric_scene::load(folder.join(format!("{name}.toml"))).unwrap().scene;
+        let scene = catoptric_store::load(folder.join(format!("{name}.toml"))).unwrap().scene;
         let render_scene = RenderScene::build(&scene).unwrap();
         for (lanes_name, lanes) in SimdLevel::all() {
             let taken = |edge| trace_parts::<true>(&render_scene, edge, |sample| lanes.run(sample));
@@ -129,7 +129,7 @@ fn groups_show_what_tiles_show() {
 #[test]
 fn streams_from_the_eye_see_what_single_rays_see() {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/reference/cloud.toml");
-    let mut scene = catoptric_scene::load(file).unwrap().scene;
+    let mut scene = catoptric_store::load(file).unwrap().scene;
     let cloud = std::mem::take(&mut scene.bodies);
     for number in 0..128 {
         let offset = -4.0 * glam::UVec3::new(number % 4, number / 4 % 4, number / 16).as_dvec3();

@@ -74,7 +74,7 @@ impl Edit {
                 scene.environment.surroundings = match (4.0 * share) as u32 {
                     0 => Surroundings::Even,
                     1 => Surroundings::Sky(Sky::default()),
-                    _ => Surroundings::Picture(Image::open("builtin:grid", None).unwrap()),
+                    _ => Surroundings::Picture(Image::built_in("grid").unwrap()),
                 };
                 scene.environment.rotation_degrees = 300.0 * share;
                 scene.lights[0].intensity = share;

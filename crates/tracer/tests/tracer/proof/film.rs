@@ -43,6 +43,31 @@ fn after_n_samples_the_film_equals_a_render_of_n_samples() {
 }
 
 #[test]
+fn a_film_traced_in_slices_is_the_same_with_the_same_rays() {
+    let render_scene = render_scene(&gallery());
+    let pool = ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+    pool.install(|| {
+        let mut film = Film::new(LARGE.width, LARGE.height).unwrap();
+        let (mut counts, mut slices) = (RayCounts::default(), 0);
+        while film.samples() < 2 {
+            slices += 1;
+            // Each slice ends as soon as it can.
+            let control = RenderControl::pausing_when(|| true);
+            match film.add_sample(&render_scene, render_scene.camera(), &control) {
+                Ok(rays) => counts += rays,
+                Err(error) => assert!(matches!(error, RenderError::Cancelled)),
+            }
+            assert!(control.pixels_done() > 0 && !control.is_cancelled());
+        }
+        assert!(slices > 4, "{slices}");
+        let settings = RenderSettings { samples: 2, ..LARGE };
+        let whole = render(&render_scene, settings, &RenderControl::default()).unwrap();
+        assert!(film.picture().unwrap() == whole.picture);
+        assert_eq!(counts, whole.counts);
+    });
+}
+
+#[test]
 fn a_cancelled_pass_spoils_nothing() {
     let render_scene = render_scene(&gallery());
     let mut film = Film::new(WIDTH, HEIGHT).unwrap();

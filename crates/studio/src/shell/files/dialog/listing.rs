@@ -1,10 +1,11 @@
 //! The content of a folder, read by a thread, since a disk may be far away.
 
 use std::cmp::Ordering;
-use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
-use std::time::SystemTime;
+
+use catoptric_platform::files;
+use catoptric_platform::time::SystemTime;
 
 use crate::shell::host::FileKind;
 use crate::shell::studio::file_prompt::fits;
@@ -35,9 +36,8 @@ pub(super) struct FolderListing {
 
 /// Reads a folder. Hidden entries are left out.
 pub(super) fn list(folder: PathBuf, kind: FileKind) -> FolderListing {
-    let entries = fs::read_dir(&folder).map_err(|error| error.kind()).map(|entries| {
-        let mut entries: Vec<FolderItem> =
-            entries.filter_map(|entry| look(&entry.ok()?.path(), kind)).take(MOST).collect();
+    let entries = files::list(&folder).map_err(|error| error.kind()).map(|paths| {
+        let mut entries: Vec<FolderItem> = paths.filter_map(|path| look(&path, kind)).take(MOST).collect();
         entries.sort_by(compare);
         entries
     });
@@ -49,12 +49,12 @@ fn look(path: &Path, kind: FileKind) -> Option<FolderItem> {
     if name.starts_with('.') {
         return None;
     }
-    let metadata = fs::metadata(path).ok()?;
-    let is_folder = metadata.is_dir();
+    let status = files::status(path).ok()?;
+    let is_folder = status.is_folder;
     Some(FolderItem {
         is_folder,
-        bytes: metadata.len(),
-        modified: metadata.modified().ok(),
+        bytes: status.length,
+        modified: status.modified,
         fits: is_folder || fits(path, kind),
         lowercase: name.to_lowercase(),
         name,
@@ -101,6 +101,8 @@ fn plain(path: &Path) -> PathBuf {
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
 
     #[test]

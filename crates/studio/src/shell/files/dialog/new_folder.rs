@@ -1,9 +1,9 @@
 //! A new folder in the one that is listed.
 
-use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use catoptric_platform::files;
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, RichText, TextEdit, Ui, WidgetInfo, vec2};
 
@@ -109,7 +109,7 @@ fn make(parent: &Path, name: &str) -> io::Result<PathBuf> {
         return Err(io::ErrorKind::InvalidFilename.into());
     }
     let folder = parent.join(name);
-    fs::create_dir(&folder)?;
+    files::create_folder(&folder)?;
     Ok(folder)
 }
 

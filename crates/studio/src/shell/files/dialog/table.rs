@@ -1,7 +1,8 @@
 //! The list of a folder.
 
 use std::io;
-use std::time::SystemTime;
+
+use catoptric_platform::time::SystemTime;
 
 use egui::{Align2, FontId, Frame, Margin, Rect, ScrollArea, Sense, Ui, WidgetInfo, pos2, vec2};
 use egui_material_icons::icons;

@@ -1,11 +1,11 @@
 //! Reading from files and streams.
 
 use std::fs::{self, File};
-use std::io::{self, Read};
+use std::io::{self, BufRead, BufReader, Read, Seek};
 use std::path::Path;
 
-use crate::descriptor::{self, Descriptor};
-use crate::target::descriptor_of;
+use super::descriptor::Descriptor;
+use super::target::descriptor_of;
 
 /// All bytes of the file, pipe or device at `path`; `-` is standard input.
 ///
@@ -13,7 +13,7 @@ use crate::target::descriptor_of;
 /// What the system says. [`io::ErrorKind::FileTooLarge`] if there are more than `limit` bytes, and
 /// [`io::ErrorKind::OutOfMemory`] if there is no memory for them.
 pub fn read_bytes(path: &Path, limit: u64) -> io::Result<Vec<u8>> {
-    let (file, length) = if descriptor::is_dash(path) {
+    let (file, length) = if crate::files::is_dash(path) {
         (Descriptor::STDIN.duplicate()?, 0)
     } else {
         let metadata = fs::metadata(path)?;
@@ -35,6 +35,26 @@ pub fn read_bytes(path: &Path, limit: u64) -> io::Result<Vec<u8>> {
     if bytes.len() as u64 > limit {
         return Err(io::ErrorKind::FileTooLarge.into());
     }
+    Ok(bytes)
+}
+
+/// Opens the plain file at `path` to read it back and forth, with its length in bytes.
+///
+/// # Errors
+/// What the system says.
+pub fn open(path: &Path) -> io::Result<(impl BufRead + Seek, u64)> {
+    let file = File::open(path)?;
+    let length = file.metadata()?.len();
+    Ok((BufReader::with_capacity(1 << 16, file), length))
+}
+
+/// The first `limit` bytes of the plain file at `path`, or all that it has.
+///
+/// # Errors
+/// What the system says.
+pub fn read_start(path: &Path, limit: u64) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    File::open(path)?.take(limit).read_to_end(&mut bytes)?;
     Ok(bytes)
 }
 

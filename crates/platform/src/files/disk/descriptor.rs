@@ -7,37 +7,31 @@ use std::fs::File;
 use std::io;
 use std::path::Path;
 
-/// The name of standard input and output on command lines.
-const DASH: &str = "-";
+use crate::files::is_dash;
 
 /// An open descriptor of this process, if it is open at all.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Descriptor(u32);
+pub(super) struct Descriptor(u32);
 
 impl Descriptor {
     /// Standard input.
-    pub(crate) const STDIN: Self = Self(0);
+    pub(super) const STDIN: Self = Self(0);
     /// Standard output.
-    pub(crate) const STDOUT: Self = Self(1);
+    pub(super) const STDOUT: Self = Self(1);
 
     /// The descriptor that `path` names itself, links aside; `-` is standard output.
-    pub(crate) fn named(path: &Path) -> Option<Self> {
+    pub(super) fn named(path: &Path) -> Option<Self> {
         if is_dash(path) { Some(Self::STDOUT) } else { system::number_of(path).map(Self) }
     }
 
     /// A duplicate that shares position and mode with the descriptor.
-    pub(crate) fn duplicate(self) -> io::Result<File> {
+    pub(super) fn duplicate(self) -> io::Result<File> {
         system::duplicate(self.0)
     }
 }
 
-/// Whether the path is `-`.
-pub(crate) fn is_dash(path: &Path) -> bool {
-    path.as_os_str() == DASH
-}
-
 /// Whether the path is a descriptor of another process, as `/proc/1/fd/1` is.
-pub(crate) fn is_foreign(path: &Path) -> bool {
+pub(super) fn is_foreign(path: &Path) -> bool {
     cfg!(unix)
         && system::folder_of(path).is_some_and(|folder| folder.starts_with("/proc") && folder.ends_with("fd"))
         && system::number_of(path).is_none()

@@ -3,21 +3,10 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use catoptric_files::{WriteError, directory_of_file, write_bytes};
+use catoptric_platform::files::{self, WriteError, directory_of_file, write_bytes};
+use catoptric_scene::{Diagnostics, LONGEST_TEXT, LoadedScene, ParsedScene, read_bytes};
 
-use crate::Scene;
-use crate::format::{Diagnostics, LONGEST_TEXT, ParsedScene, read_bytes};
-
-/// A scene file that was read without errors.
-#[derive(Clone, Debug)]
-pub struct LoadedScene {
-    /// The scene.
-    pub scene: Scene,
-    /// The text of the file, which [`crate::update`] needs to keep comments and order.
-    pub text: String,
-    /// Warnings about it.
-    pub warnings: Diagnostics,
-}
+use crate::folder::Folder;
 
 /// The reason why a scene file could not be read.
 #[derive(Debug, thiserror::Error)]
@@ -65,12 +54,12 @@ pub fn load(path: impl AsRef<Path>) -> Result<LoadedScene, LoadError> {
 pub fn load_partly(path: impl AsRef<Path>) -> Result<(ParsedScene, String), LoadError> {
     let path = path.as_ref();
     let (mut reading, text) = read_bytes(read_file(path)?);
-    reading.open_images(directory_of_file(path), &text);
+    reading.open_images(&Folder::new(directory_of_file(path)), &text);
     Ok((reading, text))
 }
 
 fn read_file(path: &Path) -> Result<Vec<u8>, LoadError> {
-    catoptric_files::read_bytes(path, LONGEST_TEXT as u64).map_err(|error| {
+    files::read_bytes(path, LONGEST_TEXT as u64).map_err(|error| {
         let reason = match error.kind() {
             io::ErrorKind::NotFound => "there is no such file; check its name".to_owned(),
             io::ErrorKind::PermissionDenied => {

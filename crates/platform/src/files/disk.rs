@@ -1,36 +1,24 @@
-#![doc = include_str!("../README.md")]
-//! ## How a file is replaced
-//!
-//! The new content goes to a temporary file in the target's own directory. That file is synchronized to the disk and
-//! renamed over the target, which POSIX and Windows do in one step. A reader sees the old file or the new one. Hard
-//! links to the old file keep the old content; its permissions pass to the new one.
-//!
-//! A pipe or device is opened and written to. A path that names an open descriptor (`-`, `/dev/stdout`, `/dev/fd/3`, a
-//! link to one) is written through that descriptor, so that a shell's `>>` appends and several programs can share a
-//! file.
+//! Files on a disk.
 
 mod descriptor;
-mod error;
 mod identity;
 mod input;
+mod lock;
 mod target;
 mod temporary;
 
 use std::fs::{self, File};
-use std::io::{self, BufWriter, Cursor, IsTerminal as _, Seek, Write};
-use std::path::Path;
+use std::io::{self, BufWriter, Cursor, IsTerminal as _, Write};
+use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
 
+use super::{FileStatus, Sink, WriteError};
 use target::{OutputTarget, directory_of};
 
-pub use error::WriteError;
 pub use identity::FileId;
-pub use input::{directory_of_file, read_bytes};
-
-/// The target of a file's content.
-pub trait Sink: Write + Seek {}
-impl<T: Write + Seek> Sink for T {}
+pub use input::{directory_of_file, open, read_bytes, read_start};
+pub use lock::FileLock;
 
 /// Asks, before minutes of work, whether `path` can be written: it names a file, its directory exists and
 /// lets files be created (one is created for a moment, and removed), and an existing file is not protected; or it names
@@ -38,7 +26,7 @@ impl<T: Write + Seek> Sink for T {}
 ///
 /// ```
 /// use std::path::Path;
-/// let error = catoptric_files::check_writable(Path::new("/no/such/place/out.png")).unwrap_err();
+/// let error = catoptric_platform::files::check_writable(Path::new("/no/such/place/out.png")).unwrap_err();
 /// assert!(error.to_string().contains("there is no directory /no/such/place"));
 /// ```
 ///
@@ -60,7 +48,7 @@ pub fn check_writable(path: &Path) -> Result<(), WriteError> {
 /// # Errors
 /// What stands in the way, where, and what to do.
 pub fn check_directory(path: &Path) -> Result<(), WriteError> {
-    if path.as_os_str().is_empty() || descriptor::is_dash(path) {
+    if path.as_os_str().is_empty() || crate::files::is_dash(path) {
         return Err(WriteError::NoName { path: path.to_owned() });
     }
     let mut existing = path;
@@ -107,19 +95,11 @@ fn is_character_device(_path: &Path) -> bool {
     false
 }
 
-/// Writes these bytes to a file, whole or not at all; an existing file is replaced. See [`write_whole`].
-///
-/// # Errors
-/// What [`check_writable`] finds, a full disk, or a failing system. The old file, if any, is untouched then.
-pub fn write_bytes(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
-    write_whole(path, |sink| sink.write_all(bytes))
-}
-
 /// Lets `fill` write the new content of the file at `path`. What is no plain file, or names an open descriptor (`-` is
 /// standard output), gets the same bytes, all at once when `fill` has ended.
 ///
 /// # Errors
-/// Those of [`write_bytes`], and what `fill` returns; nothing has changed then. A stream may have got a part of the
+/// What [`check_writable`] finds, a full disk, a failing system, and what `fill` returns; nothing has changed then. A stream may have got a part of the
 /// bytes.
 pub fn write_whole(
     path: &Path,
@@ -178,8 +158,62 @@ fn finish(file: NamedTempFile, target: &Path, permissions: Option<fs::Permission
     file.persist(target).map(drop).map_err(|error| error.error)
 }
 
+/// What is at `path`, links followed.
+///
+/// # Errors
+/// What the system says.
+pub fn status(path: &Path) -> io::Result<FileStatus> {
+    fs::metadata(path).map(|found| FileStatus {
+        is_file: found.is_file(),
+        is_folder: found.is_dir(),
+        length: found.len(),
+        modified: found.modified().ok(),
+    })
+}
+
+/// Paths of what is in a folder, in no order.
+///
+/// # Errors
+/// What the system says of the folder; entries that cannot be read are passed over.
+pub fn list(folder: &Path) -> io::Result<impl Iterator<Item = PathBuf>> {
+    Ok(fs::read_dir(folder)?.filter_map(|entry| Some(entry.ok()?.path())))
+}
+
+/// Makes a folder that must not exist.
+///
+/// # Errors
+/// What the system says.
+pub fn create_folder(path: &Path) -> io::Result<()> {
+    fs::create_dir(path)
+}
+
+/// Makes a folder and those that it is in, as far as they do not exist.
+///
+/// # Errors
+/// What the system says.
+pub fn create_folders(path: &Path) -> io::Result<()> {
+    fs::create_dir_all(path)
+}
+
+/// Removes a file.
+///
+/// # Errors
+/// What the system says.
+pub fn remove(path: &Path) -> io::Result<()> {
+    fs::remove_file(path)
+}
+
+/// The path of a file without links and steps up.
+///
+/// # Errors
+/// What the system says; the file must exist.
+pub fn canonical(path: &Path) -> io::Result<PathBuf> {
+    path.canonicalize()
+}
+
 #[cfg(test)]
 mod tests {
+    use super::super::write_bytes;
     use super::*;
 
     fn names(directory: &Path) -> Vec<String> {

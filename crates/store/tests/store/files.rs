@@ -5,7 +5,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 use catoptric_picture::{Picture, write_exr};
-use catoptric_scene::{Image, LoadError, Scene, load, load_partly, read, save, write};
+use catoptric_scene::{Image, Scene, read, write};
+use catoptric_store::{LoadError, load, load_partly, moved_path, moved_relative_path, save};
 
 fn folder() -> tempfile::TempDir {
     tempfile::tempdir().unwrap()
@@ -109,19 +110,19 @@ fn pictures_are_found_beside_the_scene_and_shared() {
 #[test]
 fn a_path_that_moves_to_another_folder_leads_to_the_same_file() {
     let (from, to) = (Some(Path::new("/scenes/a")), Some(Path::new("/scenes")));
-    let moved = |path: &str| Image::moved_path(path, from, to);
+    let moved = |path: &str| moved_path(path, from, to);
     assert_eq!(moved("wood.png").as_deref(), Some("a/wood.png"));
     assert_eq!(moved("/scenes/t/wood.png").as_deref(), Some("t/wood.png"));
     assert_eq!((moved("/wood.png"), moved("builtin:grid")), (None, None));
-    assert_eq!(Image::moved_path("wood.png", from, None).as_deref(), Some("/scenes/a/wood.png"));
-    assert_eq!(Image::moved_path("./wood.png", from, from), None, "as it was written");
+    assert_eq!(moved_path("wood.png", from, None).as_deref(), Some("/scenes/a/wood.png"));
+    assert_eq!(moved_path("./wood.png", from, from), None, "as it was written");
     let folder = folder();
     let at = |name: &str| folder.path().join(name);
     for name in ["a", "b", "t", "b/c", "b/t"] {
         fs::create_dir(at(name)).unwrap();
     }
     fs::write(at("t/wood.png"), "").unwrap();
-    let moved = |to: &str| Image::moved_path("../t/wood.png", Some(&at("a")), Some(&at(to)));
+    let moved = |to: &str| moved_path("../t/wood.png", Some(&at("a")), Some(&at(to)));
     assert_eq!(moved("b"), None, "both folders have the way in common");
     let whole = at("a/../t/wood.png").to_str().map(str::to_owned);
     assert_eq!(moved("b/c"), whole);
@@ -138,15 +139,15 @@ fn a_relative_path_can_stay_relative() {
     }
     fs::write(at("t/wood.png"), "").unwrap();
     fs::write(at("b/t/wood.png"), "another").unwrap();
-    let moved = |to: &str| Image::moved_relative_path("../t/wood.png", &at("a"), &at(to));
+    let moved = |to: &str| moved_relative_path("../t/wood.png", &at("a"), &at(to));
     assert_eq!(moved("b"), None, "both folders have the way in common");
     assert_eq!(moved("b/c").as_deref(), Some("../../t/wood.png"));
     assert_eq!(moved("").as_deref(), Some("t/wood.png"));
     assert_eq!(moved("t"), None, "up and down again");
     assert_eq!(moved("not/yet/there").as_deref(), Some("../../../t/wood.png"));
     let whole = at("t/wood.png").to_str().unwrap().to_owned();
-    assert_eq!(Image::moved_relative_path(&whole, &at("a"), &at("b")), None, "as it was written");
-    assert_eq!(Image::moved_relative_path("builtin:grid", &at("a"), &at("b")), None);
+    assert_eq!(moved_relative_path(&whole, &at("a"), &at("b")), None, "as it was written");
+    assert_eq!(moved_relative_path("builtin:grid", &at("a"), &at("b")), None);
 }
 
 /// `..` after a symbolic link leads to the folder above the link's destination.
@@ -160,12 +161,12 @@ fn a_path_that_moves_past_a_link_leads_to_the_same_file() {
     }
     std::os::unix::fs::symlink(at("deep/er"), at("link")).unwrap();
     fs::write(at("a/wood.png"), "").unwrap();
-    let moved = Image::moved_relative_path("wood.png", &at("a"), &at("link")).unwrap();
+    let moved = moved_relative_path("wood.png", &at("a"), &at("link")).unwrap();
     assert_eq!(moved, "../../a/wood.png");
     assert!(at("link").join(&moved).exists());
     // By a link that is on the way as the user wrote it, it stays.
     std::os::unix::fs::symlink(at("a"), at("textures")).unwrap();
-    let moved = Image::moved_relative_path("../textures/wood.png", &at("deep"), &at("deep/er"));
+    let moved = moved_relative_path("../textures/wood.png", &at("deep"), &at("deep/er"));
     assert_eq!(moved.as_deref(), Some("../../textures/wood.png"));
 }
 

@@ -4,8 +4,8 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::Path;
 
-use crate::descriptor::{self, Descriptor};
-use crate::target::{OutputTarget, directory_of};
+use super::descriptor::Descriptor;
+use super::target::{OutputTarget, directory_of};
 
 /// The identity of a file: equal for all its names, links and descriptors.
 ///
@@ -33,7 +33,7 @@ impl FileId {
     /// The plain file that is read at `path`, `-` being standard input; `None` for pipes and devices, which nothing
     /// that is written can destroy, and for what is not there.
     pub fn of_input(path: &Path) -> Option<Self> {
-        let metadata = if descriptor::is_dash(path) {
+        let metadata = if crate::files::is_dash(path) {
             Descriptor::STDIN.duplicate().and_then(|file| file.metadata()).ok()?
         } else {
             fs::metadata(path).ok()?
@@ -61,7 +61,7 @@ impl FileId {
     }
 
     /// What is known by these metadata of `path`.
-    pub(crate) fn of_metadata(metadata: &fs::Metadata, path: &Path) -> Option<Self> {
+    pub(super) fn of_metadata(metadata: &fs::Metadata, path: &Path) -> Option<Self> {
         id_of(metadata, path).map(Self)
     }
 

@@ -3,7 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use crate::descriptor::is_dash;
+use super::is_dash;
 
 /// The reason why a file could not be written. An existing file is untouched; a device, a pipe or a shared descriptor
 /// may have got some of the bytes.

@@ -5,7 +5,7 @@
 use std::fs;
 use std::path::Path;
 
-use catoptric_files::{WriteError, check_writable, write_bytes};
+use catoptric_platform::files::{WriteError, check_writable, write_bytes};
 
 fn names(directory: &Path) -> Vec<String> {
     let entries = fs::read_dir(directory).unwrap();

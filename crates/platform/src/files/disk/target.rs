@@ -4,15 +4,15 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use crate::descriptor::{self, Descriptor};
-use crate::error::WriteError;
+use super::descriptor::{self, Descriptor};
+use crate::files::error::WriteError;
 
 /// Symbolic links followed at most, as many as Linux follows.
 const LINKS: usize = 40;
 
 /// The target of a path for output.
 #[derive(Debug)]
-pub(crate) enum OutputTarget {
+pub(super) enum OutputTarget {
     /// A plain file, existing (then with its permissions) or not, reached through any symbolic links. It is replaced.
     File { path: PathBuf, directory: PathBuf, permissions: Option<fs::Permissions> },
     /// An open descriptor of this process, whatever is behind it. It is written through.
@@ -23,7 +23,7 @@ pub(crate) enum OutputTarget {
 
 impl OutputTarget {
     /// Follows symbolic links and looks at what is there.
-    pub(crate) fn of(path: &Path) -> Result<Self, WriteError> {
+    pub(super) fn of(path: &Path) -> Result<Self, WriteError> {
         let target = match follow_links(path)? {
             LinkTarget::Descriptor(descriptor) => return Ok(Self::Descriptor(descriptor)),
             LinkTarget::Foreign(path) => return Ok(Self::Stream { path }),
@@ -53,7 +53,7 @@ impl OutputTarget {
 }
 
 /// The descriptor that a path names, directly or by symbolic links.
-pub(crate) fn descriptor_of(path: &Path) -> Option<Descriptor> {
+pub(super) fn descriptor_of(path: &Path) -> Option<Descriptor> {
     match follow_links(path) {
         Ok(LinkTarget::Descriptor(descriptor)) => Some(descriptor),
         _ => None,
@@ -61,7 +61,7 @@ pub(crate) fn descriptor_of(path: &Path) -> Option<Descriptor> {
 }
 
 /// The directory that a path is in; `.` for a name alone.
-pub(crate) fn directory_of(path: &Path) -> &Path {
+pub(super) fn directory_of(path: &Path) -> &Path {
     path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 

@@ -11,8 +11,8 @@ use std::sync::{Mutex, PoisonError};
 
 use tempfile::NamedTempFile;
 
-use crate::error::WriteError;
-use crate::identity::FileId;
+use super::identity::FileId;
+use crate::files::error::WriteError;
 
 const PREFIX: &str = ".catoptric-";
 const SUFFIX: &str = ".tmp";
@@ -25,7 +25,7 @@ static SWEPT: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
 /// A new temporary file in this directory for the target `path`, locked, removed when dropped; the umask decides who
 /// may read it.
-pub(crate) fn create(path: &Path, directory: &Path) -> Result<NamedTempFile, WriteError> {
+pub(super) fn create(path: &Path, directory: &Path) -> Result<NamedTempFile, WriteError> {
     sweep_once(directory);
     let closed = |error: std::io::Error| WriteError::Closed {
         path: path.to_owned(),

@@ -1,0 +1,51 @@
+//! Threads that a page starts as workers.
+
+use std::io;
+use std::sync::OnceLock;
+use std::time::Duration;
+
+use crate::time::Instant;
+
+/// What a thread does.
+type ThreadWork = Box<dyn FnOnce() + Send>;
+
+static THREADS: OnceLock<PageThreads> = OnceLock::new();
+
+struct PageThreads {
+    processors: usize,
+    start: fn(&str, ThreadWork) -> io::Result<()>,
+}
+
+/// From now on `start` starts threads, of which so many run at the same time. Only the first call counts.
+pub fn use_threads(processors: usize, start: fn(&str, ThreadWork) -> io::Result<()>) {
+    let _ = THREADS.set(PageThreads { processors, start });
+}
+
+/// Whether there are threads.
+pub fn are_available() -> bool {
+    THREADS.get().is_some()
+}
+
+/// The number of threads that run at the same time; 1 without threads.
+pub fn processors() -> usize {
+    THREADS.get().map_or(1, |threads| threads.processors.max(1))
+}
+
+/// Lets time pass.
+pub fn sleep(time: Duration) {
+    if cfg!(target_feature = "atomics") {
+        std::thread::sleep(time);
+    } else {
+        let start = Instant::now();
+        while start.elapsed() < time {
+            std::hint::spin_loop();
+        }
+    }
+}
+
+pub(super) fn start(name: &str, work: impl FnOnce() + Send + 'static) -> io::Result<()> {
+    match THREADS.get() {
+        Some(threads) => (threads.start)(name, Box::new(work)),
+        None => Err(io::ErrorKind::Unsupported.into()),
+    }
+}
