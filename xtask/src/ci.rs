@@ -23,8 +23,13 @@ pub(crate) enum Extent {
 /// The program without what its first picture does not need.
 const SLIM: [&str; 3] = ["--release", "--locked", "--no-default-features"];
 
-/// Other systems that the program is written for: it is compiled for them as far as that goes without their linkers.
-const TARGETS: [&str; 2] = ["aarch64-apple-darwin", "x86_64-pc-windows-gnu"];
+/// Other systems that a package is written for: it is compiled for them as far as that goes without their linkers. In a
+/// browser the studio runs without the program.
+const TARGETS: [(&str, &str); 3] = [
+    ("catoptric", "aarch64-apple-darwin"),
+    ("catoptric", "x86_64-pc-windows-gnu"),
+    ("catoptric-studio", "wasm32-unknown-unknown"),
+];
 
 /// Runs everything and says what had to be skipped.
 pub(crate) fn run(extent: Extent) -> Result<()> {
@@ -75,8 +80,8 @@ fn checks(extent: Extent) -> Result<Vec<String>> {
         let slim = ["--package", "catoptric", "--no-default-features"];
         run_cargo(&[&["clippy", "--locked"], &slim[..], &["--", "-D", "warnings"]].concat())
     })?;
-    for target in TARGETS {
-        skipped.extend(check_for(target)?);
+    for (package, target) in TARGETS {
+        skipped.extend(check_for(package, target)?);
     }
     step("documentation", || {
         let arguments = ["doc", "--workspace", "--no-deps", "--locked", "--document-private-items"];
@@ -93,15 +98,15 @@ fn checks(extent: Extent) -> Result<Vec<String>> {
     Ok(skipped)
 }
 
-/// Checks the program's Rust for another system; returns why that cannot be done, if so.
-fn check_for(target: &str) -> Result<Option<String>> {
+/// Checks a package's Rust for another system; returns why that cannot be done, if so.
+fn check_for(package: &str, target: &str) -> Result<Option<String>> {
     let library = output(&mut command("rustc", &["--print", "target-libdir", "--target", target]))?;
     if !Path::new(library.trim()).exists() {
         let advice = format!("its standard library is not installed (rustup target add {target})");
-        return Ok(Some(format!("the program on {target}: {advice}")));
+        return Ok(Some(format!("{package} on {target}: {advice}")));
     }
-    step(&format!("the program on {target}"), || {
-        let mut check = cargo(&["check", "--package", "catoptric", "--locked", "--target", target]);
+    step(&format!("{package} on {target}"), || {
+        let mut check = cargo(&["check", "--package", package, "--locked", "--target", target]);
         // Nothing is linked, so that what is written in C need not be compiled.
         for tool in ["CC", "CXX", "AR"] {
             check.env(format!("{tool}_{}", target.replace('-', "_")), "true");

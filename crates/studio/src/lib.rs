@@ -1,4 +1,5 @@
 #![doc = include_str!("../README.md")]
+#![cfg_attr(target_family = "wasm", allow(dead_code, reason = "what only the desktop's window uses"))]
 
 mod base;
 mod panels;
