@@ -12,6 +12,7 @@ mod language;
 mod light;
 mod list;
 mod material;
+mod part;
 mod scene_images;
 mod shape;
 mod text;
@@ -24,8 +25,7 @@ pub use examples::Example;
 pub use file::{LoadError, LoadedScene, load, load_partly, save};
 pub use format::{
     AddressError, Diagnostic, Diagnostics, LONGEST_TEXT, ParsedScene, Problem, Related, SceneEdit, SceneKey,
-    ScenePart, ScenePath, SceneValue, Severity, Warned, json_schema, read, read_bytes, update, write,
-    write_fragment,
+    ScenePath, SceneValue, Severity, Warned, json_schema, read, read_bytes, update, write, write_fragment,
 };
 pub use image::{Image, ImageError, ImageFault, ImageSource, UnreadableKind};
 pub use language::Language;
@@ -35,6 +35,7 @@ pub use material::{
     Attenuation, Checker, CheckerSpace, Coated, Conductor, Dielectric, Material, MaterialChoice, Matte,
     MetalOptics, Mirror, Model, NamedMaterial, Pattern, Phong, RefractiveIndex, Share, ThinDielectric,
 };
+pub use part::ScenePart;
 pub use scene_images::HasImages;
 pub use shape::{ParaboloidDepth, Shape, ShapeKind};
 pub use text::{is_active, quoted_name, visible, visible_lines};
