@@ -77,18 +77,17 @@ const fn shot(name: &'static str, language: &'static str, theme: &'static str, s
     }
 }
 
+/// What is selected: the body at this place.
+fn body(index: usize) -> Option<ScenePart> {
+    Some(ScenePart::Body(index))
+}
+
 fn shots() -> Vec<Shot> {
     vec![
-        Shot {
-            selected: Some(ScenePart::Body(1)),
-            ..shot("studio-en-dark", "english", "dark", "four-bodies")
-        },
-        Shot {
-            selected: Some(ScenePart::Body(1)),
-            ..shot("studio-en-light", "english", "light", "four-bodies")
-        },
-        Shot { selected: Some(ScenePart::Body(1)), ..shot("studio-ru-dark", "russian", "dark", "whitted") },
-        Shot { selected: Some(ScenePart::Body(1)), ..shot("studio-ru-light", "russian", "light", "whitted") },
+        Shot { selected: body(1), ..shot("studio-en-dark", "english", "dark", "four-bodies") },
+        Shot { selected: body(1), ..shot("studio-en-light", "english", "light", "four-bodies") },
+        Shot { selected: body(1), ..shot("studio-ru-dark", "russian", "dark", "whitted") },
+        Shot { selected: body(1), ..shot("studio-ru-light", "russian", "light", "whitted") },
         Shot { commands: vec!["file.examples"], ..shot("studio-examples", "english", "dark", "four-bodies") },
         Shot { commands: vec!["picture.render"], ..shot("studio-render", "russian", "light", "still-life") },
         Shot { commands: vec!["window.palette"], ..shot("studio-palette", "english", "light", "glass-row") },
@@ -108,33 +107,33 @@ fn shots() -> Vec<Shot> {
         },
         Shot {
             commands: vec!["view.exact"],
-            selected: Some(ScenePart::Body(5)),
+            selected: body(5),
             ..shot("studio-exact-en", "english", "dark", "ring-of-images")
         },
         Shot {
             commands: vec!["view.exact"],
-            selected: Some(ScenePart::Body(5)),
+            selected: body(5),
             ..shot("studio-exact-ru", "russian", "light", "ring-of-images")
         },
         Shot {
-            selected: Some(ScenePart::Body(12)),
+            selected: body(12),
             pointer: Some([0.66, 0.5]),
             ..shot("studio-material-en", "english", "dark", "metals")
         },
         Shot {
-            selected: Some(ScenePart::Body(14)),
+            selected: body(14),
             pointer: Some([0.48, 0.5]),
             ..shot("studio-material-ru", "russian", "light", "rising-index")
         },
         Shot {
-            selected: Some(ScenePart::Body(12)),
+            selected: body(12),
             commands: vec!["window.pane.materials"],
             rows_down: 3,
             pointer: Some([0.568, 1.5]),
             ..shot("studio-materials-en", "english", "dark", "metals")
         },
         Shot {
-            selected: Some(ScenePart::Body(14)),
+            selected: body(14),
             commands: vec!["window.pane.materials"],
             rows_down: 5,
             ..shot("studio-materials-ru", "russian", "light", "rising-index")
@@ -143,10 +142,7 @@ fn shots() -> Vec<Shot> {
             selected: Some(ScenePart::Environment),
             ..shot("studio-surroundings-en", "english", "dark", "sky-room")
         },
-        Shot {
-            selected: Some(ScenePart::Body(4)),
-            ..shot("studio-surroundings-ru", "russian", "light", "textures")
-        },
+        Shot { selected: body(4), ..shot("studio-surroundings-ru", "russian", "light", "textures") },
         Shot {
             commands: vec!["window.pane.compare"],
             ..shot("studio-compare", "english", "dark", "four-bodies")
