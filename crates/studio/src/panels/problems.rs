@@ -118,9 +118,8 @@ fn live_ui(ui: &mut Ui, cx: &mut Cx<'_>, problems: &ProblemsPanel, fault: Option
         let message = problem.message(cx.texts.language().into());
         if ui.selectable_label(false, RichText::new(message).color(color)).clicked()
             && matches!(problem.part, ScenePart::Body(_) | ScenePart::Light(_))
-            && let Some(item) = cx.editor.edited().item(problem.part)
         {
-            cx.editor.select(item);
+            cx.editor.select_parts([problem.part]);
         }
     }
     ui.separator();
