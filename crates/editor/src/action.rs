@@ -11,13 +11,15 @@ mod select;
 
 use std::path::Path;
 
-use catoptric_scene::{Diagnostics, MaterialChoice, Scene, ShapeKind};
+use catoptric_scene::{Diagnostics, MaterialChoice, ShapeKind};
 use glam::DVec3;
 
 use crate::document::{Editor, RefusedChange};
+use crate::edited_scene::EditedScene;
+use crate::identity::Item;
 use crate::label::Label;
 use crate::new_body::NewBodyPlacement;
-use crate::selection::{Item, Selection};
+use crate::selection::Selection;
 use flags::Flag;
 use list::ListMove;
 pub(crate) use outcome::{ActionOutcome, subject};
@@ -239,7 +241,7 @@ impl Action {
     }
 
     /// What is selected after an act that only selects.
-    fn selection(&self, scene: &Scene, selection: &Selection) -> Option<Selection> {
+    fn selection(&self, scene: &EditedScene, selection: &Selection) -> Option<Selection> {
         Some(match self {
             Self::SelectAll => select::select_all(scene),
             Self::SelectNone => Selection::none(),
@@ -251,15 +253,19 @@ impl Action {
     }
 
     /// Whether an act on the scene has something to do.
-    fn check(&self, scene: &Scene, selection: &Selection) -> Result<(), ActionError> {
+    fn check(&self, scene: &EditedScene, selection: &Selection) -> Result<(), ActionError> {
         match self {
             Self::AddBody { .. } | Self::AddLight { .. } | Self::AddMaterial { .. } => Ok(()),
-            Self::Duplicate => list::check_duplicate(selection).map(drop),
+            Self::Duplicate => list::check_duplicate(scene, selection).map(drop),
             Self::Delete | Self::Cut => list::check_delete(scene, selection).map(drop),
             Self::ToggleHidden => flags::check_toggle(scene, selection, Flag::Hidden).map(drop),
             Self::ToggleLocked => flags::check_toggle(scene, selection, Flag::Locked).map(drop),
-            Self::SetHidden { item, hidden } => flags::check_set(scene, Flag::Hidden, *item, *hidden),
-            Self::SetLocked { item, locked } => flags::check_set(scene, Flag::Locked, *item, *locked),
+            Self::SetHidden { item, hidden } => {
+                flags::check_set(scene, Flag::Hidden, *item, *hidden).map(drop)
+            }
+            Self::SetLocked { item, locked } => {
+                flags::check_set(scene, Flag::Locked, *item, *locked).map(drop)
+            }
             Self::ShowAll => flags::check_clear(scene, Flag::Hidden).map(drop),
             Self::UnlockAll => flags::check_clear(scene, Flag::Locked).map(drop),
             Self::MoveUp => list::check_reorder(scene, selection, ListMove::Up).map(drop),
@@ -273,7 +279,7 @@ impl Action {
             Self::MakeMaterialUnique => material::check_make_unique(scene, selection),
             Self::DropToGround => place::check_drop(scene, selection),
             Self::ResetPlacement => place::check_reset(scene, selection),
-            Self::RemoveUnusedMaterials => material::check_unused(scene).map(drop),
+            Self::RemoveUnusedMaterials => material::check_unused(scene.scene()).map(drop),
             Self::SelectAll
             | Self::SelectNone
             | Self::InvertSelection
@@ -287,7 +293,7 @@ impl Action {
     /// What an act makes of the scene, whose file is in `folder`.
     fn outcome(
         &self,
-        scene: &Scene,
+        scene: &EditedScene,
         selection: &Selection,
         folder: Option<&Path>,
     ) -> Result<ActionOutcome, ActionError> {
@@ -336,7 +342,7 @@ impl Editor {
         let is_done = match action {
             Action::Undo => self.undo(),
             Action::Redo => self.redo(),
-            _ => match action.selection(self.scene(), self.selection()) {
+            _ => match action.selection(self.edited(), self.selection()) {
                 Some(selection) => {
                     let is_new = selection != *self.selection();
                     self.select(selection);
@@ -344,7 +350,7 @@ impl Editor {
                 }
                 None => {
                     let ActionOutcome { scene, selection, subject } =
-                        action.outcome(self.scene(), self.selection(), self.folder())?;
+                        action.outcome(self.edited(), self.selection(), self.folder())?;
                     self.step(Label::new(action.key(), subject), scene, selection)?
                 }
             },
@@ -358,9 +364,9 @@ impl Editor {
         match action {
             Action::Undo => self.can_undo(),
             Action::Redo => self.can_redo(),
-            _ => match action.selection(self.scene(), self.selection()) {
+            _ => match action.selection(self.edited(), self.selection()) {
                 Some(selection) => selection != *self.selection(),
-                None => action.check(self.scene(), self.selection()).is_ok(),
+                None => action.check(self.edited(), self.selection()).is_ok(),
             },
         }
     }
@@ -369,6 +375,6 @@ impl Editor {
     /// what a clipboard carries. From a document that has a file, it has whole paths of pictures, for a
     /// document in any folder. `None` when nothing of that is selected.
     pub fn copy(&self) -> Option<String> {
-        fragment::copy(self.scene(), self.selection(), self.folder())
+        fragment::copy(self.edited(), self.selection(), self.folder())
     }
 }

@@ -1,9 +1,7 @@
 //! Bounding boxes and spheres of bodies.
 
-use catoptric_scene::{Body, Scene};
+use catoptric_scene::{Body, Scene, ScenePart};
 use glam::DVec3;
-
-use crate::selection::Selection;
 
 /// A box along the world's axes, meters.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -104,19 +102,26 @@ pub(crate) fn ball_of_body(body: &Body) -> Option<BoundingSphere> {
     Some(BoundingSphere { center: body.placement.world_from_body().transform_point3(center), radius })
 }
 
-/// The box around the selected bodies and lights; `None` when there are none but planes.
-fn of_selection(scene: &Scene, selection: &Selection) -> Option<Bounds> {
-    let bodies = selection.bodies().filter_map(|index| of_body(scene.bodies.get(index)?));
-    let lights = selection.lights().filter_map(|index| Some(Bounds::at(scene.lights.get(index)?.position)));
-    bodies.chain(lights).reduce(Bounds::union)
+/// The box around bodies and lights; `None` when there are none but planes.
+fn of_parts(scene: &Scene, parts: &[ScenePart]) -> Option<Bounds> {
+    let bounds = parts.iter().filter_map(|part| match *part {
+        ScenePart::Body(index) => of_body(scene.bodies.get(index)?),
+        ScenePart::Light(index) => Some(Bounds::at(scene.lights.get(index)?.position)),
+        _ => None,
+    });
+    bounds.reduce(Bounds::union)
 }
 
-/// A ball around the selected bodies and lights; `None` when there are none but planes.
-pub fn ball_of_selection(scene: &Scene, selection: &Selection) -> Option<BoundingSphere> {
-    let bodies = selection.bodies().filter_map(|index| ball_of_body(scene.bodies.get(index)?));
-    let lights = selection.lights().filter_map(|index| scene.lights.get(index));
-    let lights = lights.map(|light| BoundingSphere { center: light.position, radius: 0.0 });
-    Some(around(of_selection(scene, selection)?, bodies.chain(lights)))
+/// A ball around bodies and lights; `None` when there are none but planes.
+pub fn ball_of_parts(scene: &Scene, parts: &[ScenePart]) -> Option<BoundingSphere> {
+    let balls = parts.iter().filter_map(|part| match *part {
+        ScenePart::Body(index) => ball_of_body(scene.bodies.get(index)?),
+        ScenePart::Light(index) => {
+            Some(BoundingSphere { center: scene.lights.get(index)?.position, radius: 0.0 })
+        }
+        _ => None,
+    });
+    Some(around(of_parts(scene, parts)?, balls))
 }
 
 /// The box around all bodies that are not hidden; `None` when there are none but planes.
@@ -145,7 +150,6 @@ mod tests {
     use catoptric_scene::{Anchor, Placement, Shape, ShapeKind};
 
     use super::*;
-    use crate::selection::Item;
 
     fn body(shape: Shape, position: DVec3, rotation_degrees: DVec3, scale: DVec3) -> Body {
         let anchor = Anchor::Frame { position, rotation_degrees };
@@ -249,7 +253,7 @@ mod tests {
     }
 
     #[test]
-    fn scenes_and_selections_are_held() {
+    fn scenes_and_their_parts_are_held() {
         let at = |x| body(Shape::SPHERE, DVec3::X * x, DVec3::ZERO, DVec3::ONE);
         let mut scene = Scene { bodies: [at(0.0), at(4.0), at(50.0)].into(), ..Scene::default() };
         scene.bodies[2].hidden = true;
@@ -257,13 +261,11 @@ mod tests {
         scene.lights.push(catoptric_scene::Light { position: DVec3::Y * 7.0, ..Default::default() });
         assert_close(of_scene(&scene).unwrap(), [-1.0; 3], [5.0, 1.0, 1.0]);
         assert_eq!(ball_of_scene(&scene), Some(BoundingSphere { center: DVec3::X * 2.0, radius: 3.0 }));
-        let selection: Selection =
-            [Item::Body(3), Item::Body(2), Item::Light(0), Item::Camera].into_iter().collect();
-        assert_close(of_selection(&scene, &selection).unwrap(), [0.0, -1.0, -1.0], [51.0, 7.0, 1.0]);
-        assert_eq!(of_selection(&scene, &Selection::one(Item::Body(3))), None);
-        let light = Selection::one(Item::Light(0));
+        let parts = [ScenePart::Body(3), ScenePart::Body(2), ScenePart::Light(0), ScenePart::Camera];
+        assert_close(of_parts(&scene, &parts).unwrap(), [0.0, -1.0, -1.0], [51.0, 7.0, 1.0]);
+        assert_eq!(of_parts(&scene, &parts[..1]), None);
         assert_eq!(
-            ball_of_selection(&scene, &light),
+            ball_of_parts(&scene, &parts[2..]),
             Some(BoundingSphere { center: DVec3::Y * 7.0, radius: 0.0 })
         );
     }

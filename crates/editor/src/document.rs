@@ -7,8 +7,9 @@ mod saving;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use catoptric_scene::{Problem, Scene};
+use catoptric_scene::{Problem, Scene, ScenePart};
 
+use crate::edited_scene::EditedScene;
 use crate::history::{Difference, History, UndoStep};
 use crate::label::Label;
 use crate::selection::Selection;
@@ -27,7 +28,7 @@ pub struct RefusedChange {
 #[derive(Clone, Debug)]
 struct Gesture {
     label: Label,
-    start: Arc<Scene>,
+    start: EditedScene,
     selection: Selection,
     /// Whether all of it is navigation: see [`Editor::navigate`].
     is_navigation: bool,
@@ -38,7 +39,7 @@ struct Gesture {
 /// The scene is shared: a clone of [`Editor::scene`] is a snapshot that later edits do not touch.
 #[derive(Clone, Debug)]
 pub struct Editor {
-    scene: Arc<Scene>,
+    edited: EditedScene,
     revision: u64,
     selection: Selection,
     history: History,
@@ -69,7 +70,7 @@ impl Editor {
         let scene = Arc::new(scene);
         Self {
             saved: Some(Arc::clone(&scene)),
-            scene,
+            edited: EditedScene::new(scene),
             revision: 0,
             selection: Selection::none(),
             history: History::default(),
@@ -96,16 +97,25 @@ impl Editor {
         editor
     }
 
-    /// Makes this document the successor of another in the same window: its [revision](Self::revision) is greater.
+    /// Makes this document the successor of another in the same window: its [revision](Self::revision) is greater, and
+    /// if both are of one file, things of one name are the same.
     #[must_use]
     pub fn succeeding(mut self, before: &Self) -> Self {
         self.revision = self.revision.max(before.revision + 1);
+        if self.path.is_some() && self.path == before.path {
+            self.edited = before.edited.revised(self.edited.scene);
+        }
         self
     }
 
     /// The scene as it is now, also in the middle of a gesture.
     pub fn scene(&self) -> &Arc<Scene> {
-        &self.scene
+        &self.edited.scene
+    }
+
+    /// The scene as it is now, with the identities of its things.
+    pub fn edited(&self) -> &EditedScene {
+        &self.edited
     }
 
     /// A number that grows with every change of the scene, undo included.
@@ -118,11 +128,42 @@ impl Editor {
         &self.selection
     }
 
+    /// The places of the selected things, in the order of choosing.
+    pub fn selected_parts(&self) -> impl DoubleEndedIterator<Item = ScenePart> {
+        self.edited.parts_of(&self.selection)
+    }
+
+    /// The places of the selected bodies, in the order of choosing.
+    pub fn selected_bodies(&self) -> impl DoubleEndedIterator<Item = usize> {
+        self.selected_parts().filter_map(|part| if let ScenePart::Body(at) = part { Some(at) } else { None })
+    }
+
+    /// The places of the selected lights, in the order of choosing.
+    pub fn selected_lights(&self) -> impl DoubleEndedIterator<Item = usize> {
+        self.selected_parts().filter_map(|part| if let ScenePart::Light(at) = part { Some(at) } else { None })
+    }
+
+    /// The places of the selected named materials, in the order of choosing.
+    pub fn selected_materials(&self) -> impl DoubleEndedIterator<Item = usize> {
+        self.selected_parts()
+            .filter_map(|part| if let ScenePart::Material(at) = part { Some(at) } else { None })
+    }
+
+    /// The place of the thing chosen last.
+    pub fn primary_part(&self) -> Option<ScenePart> {
+        self.edited.part(self.selection.primary()?)
+    }
+
     /// Selects something else. What the scene does not have is left out. This is no undo step; steps remember what was
     /// selected before and after them.
     pub fn select(&mut self, selection: impl Into<Selection>) {
         self.selection = selection.into();
-        self.selection.keep_in(&self.scene);
+        self.selection.retain(|item| self.edited.contains(item));
+    }
+
+    /// Selects what stands at these places now, as [`Self::select`] does.
+    pub fn select_parts(&mut self, parts: impl IntoIterator<Item = ScenePart>) {
+        self.selection = parts.into_iter().filter_map(|part| self.edited.item(part)).collect();
     }
 
     /// Whether a gesture is open.
@@ -138,7 +179,7 @@ impl Editor {
     /// Ends the open gesture: what it changed becomes one undo step. Returns whether there was such a change.
     pub fn settle(&mut self) -> bool {
         let Some(gesture) = self.gesture.take() else { return false };
-        let Some(difference) = Difference::between(&gesture.start, &self.scene) else { return false };
+        let Some(difference) = Difference::between(&gesture.start, &self.edited) else { return false };
         self.history.push(UndoStep {
             label: gesture.label,
             difference,
@@ -152,10 +193,10 @@ impl Editor {
     /// Ends the open gesture and restores the scene and the selection at its start. Returns whether one was open.
     pub fn abandon(&mut self) -> bool {
         let Some(gesture) = self.gesture.take() else { return false };
-        if self.scene != gesture.start {
-            self.scene = gesture.start;
+        if self.edited.scene != gesture.start.scene {
             self.revision += 1;
         }
+        self.edited = gesture.start;
         self.selection = gesture.selection;
         true
     }
@@ -163,7 +204,7 @@ impl Editor {
     /// Takes the last step back; an open gesture is settled first. Returns whether there was a step.
     pub fn undo(&mut self) -> bool {
         self.settle();
-        let Some(selection) = self.history.undo(&mut self.scene) else { return false };
+        let Some(selection) = self.history.undo(&mut self.edited) else { return false };
         self.revision += 1;
         self.selection = selection;
         true
@@ -172,7 +213,7 @@ impl Editor {
     /// Does the step again that was taken back last; an open gesture is settled first. Returns whether there was one.
     pub fn redo(&mut self) -> bool {
         self.settle();
-        let Some(selection) = self.history.redo(&mut self.scene) else { return false };
+        let Some(selection) = self.history.redo(&mut self.edited) else { return false };
         self.revision += 1;
         self.selection = selection;
         true
@@ -203,7 +244,7 @@ impl Editor {
     }
 
     fn has_gesture_changed(&self) -> bool {
-        self.gesture.as_ref().is_some_and(|gesture| gesture.start != self.scene)
+        self.gesture.as_ref().is_some_and(|gesture| gesture.start.scene != self.edited.scene)
     }
 
     /// All steps, the oldest first, those that were taken back included; [`Self::steps_done`] tells how many are done.
@@ -229,10 +270,11 @@ impl Editor {
     /// # Errors
     /// What is broken.
     pub fn check_invariants(&self) -> Result<(), String> {
-        if let Some(problem) = self.scene.check().first() {
+        if let Some(problem) = self.scene().check().first() {
             return Err(format!("the scene has a problem: {problem}"));
         }
-        if let Some(item) = self.selection.iter().find(|item| !item.is_in(&self.scene)) {
+        self.edited.check_identities()?;
+        if let Some(item) = self.selection.iter().find(|item| !self.edited.contains(*item)) {
             return Err(format!("{item:?} is selected, but the scene has none"));
         }
         let distinct: std::collections::HashSet<_> = self.selection.iter().collect();
@@ -241,11 +283,12 @@ impl Editor {
         }
         let mut settled = self.clone();
         settled.settle();
-        let now = Arc::clone(&settled.scene);
-        if settled.undo() && !(settled.redo() && settled.scene == now) {
+        let now = settled.edited.clone();
+        let is_as_before = |settled: &Self| Difference::between(&settled.edited, &now).is_none();
+        if settled.undo() && !(settled.redo() && is_as_before(&settled)) {
             return Err("undoing and redoing gives another scene".to_owned());
         }
-        if settled.redo() && !(settled.undo() && settled.scene == now) {
+        if settled.redo() && !(settled.undo() && is_as_before(&settled)) {
             return Err("redoing and undoing gives another scene".to_owned());
         }
         Ok(())

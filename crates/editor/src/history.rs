@@ -1,12 +1,10 @@
 //! The undo history.
 
 mod difference;
-mod sequence;
 
-use std::sync::Arc;
+use catoptric_scene::Image;
 
-use catoptric_scene::{Image, Scene};
-
+use crate::edited_scene::EditedScene;
 use crate::label::Label;
 use crate::selection::Selection;
 pub(crate) use difference::Difference;
@@ -67,18 +65,18 @@ impl History {
     }
 
     /// Takes the scene one step back, and returns the selection of that time.
-    pub(crate) fn undo(&mut self, scene: &mut Arc<Scene>) -> Option<Selection> {
+    pub(crate) fn undo(&mut self, scene: &mut EditedScene) -> Option<Selection> {
         let step = self.last_done()?;
-        step.difference.undo(Arc::make_mut(scene));
+        step.difference.undo(scene);
         let selection = step.selection_before.clone();
         self.done -= 1;
         Some(selection)
     }
 
     /// Takes the scene one step forward again, and returns the selection of that time.
-    pub(crate) fn redo(&mut self, scene: &mut Arc<Scene>) -> Option<Selection> {
+    pub(crate) fn redo(&mut self, scene: &mut EditedScene) -> Option<Selection> {
         let step = self.first_undone()?;
-        step.difference.redo(Arc::make_mut(scene));
+        step.difference.redo(scene);
         let selection = step.selection_after.clone();
         self.done += 1;
         Some(selection)

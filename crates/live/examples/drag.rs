@@ -11,7 +11,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use catoptric_editor::{Editor, Item, Label};
+use catoptric_editor::{Editor, Label};
 use catoptric_live::{Live, Request};
 use catoptric_picture::Development;
 use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, render};
@@ -27,7 +27,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let body = scene.bodies.len() / 2;
     println!("{} bodies", scene.bodies.len());
     let mut editor = Editor::new(scene);
-    editor.select(Item::Body(body));
+    let item = editor.edited().bodies().nth(body).unwrap();
+    editor.select(item);
     let live = Live::start(|| ())?;
     println!("opened: {:.1} ms to the stage", ask(&live, &editor));
     let (mut edits, mut render_scenes) = (Vec::new(), Vec::new());
@@ -52,7 +53,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 fn request(editor: &Editor) -> Request {
     let mut request = Request::new(Arc::clone(editor.scene()), editor.revision(), SIZE);
-    request.outline = editor.selection().bodies().collect();
+    request.outline = editor.selected_bodies().collect();
     request.samples = 1;
     request
 }

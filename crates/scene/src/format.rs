@@ -24,7 +24,7 @@ mod update;
 mod write;
 
 pub use address::{AddressError, SceneEdit, SceneKey, ScenePath, SceneValue};
-pub use check::{Problem, ScenePart};
+pub use check::Problem;
 pub use diagnostic::{Diagnostic, Diagnostics, Related, Severity};
 pub(crate) use nearest::nearest;
 pub use read::{LONGEST_TEXT, LoadedScene, ParsedScene, Warned, read, read_bytes};

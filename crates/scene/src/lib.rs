@@ -11,6 +11,7 @@ mod language;
 mod light;
 mod list;
 mod material;
+mod part;
 mod scene_images;
 mod shape;
 mod text;
@@ -22,7 +23,7 @@ pub use environment::{Environment, Sky, Surroundings};
 pub use examples::Example;
 pub use format::{
     AddressError, Diagnostic, Diagnostics, LONGEST_TEXT, LoadedScene, ParsedScene, Problem, Related,
-    SceneEdit, SceneKey, ScenePart, ScenePath, SceneValue, Severity, Warned, json_schema, read, read_bytes,
+    SceneEdit, SceneKey, ScenePath, SceneValue, Severity, Warned, json_schema, read, read_bytes,
     update, write, write_fragment,
 };
 pub use image::{Image, ImageError, ImageFault, ImageSource, NoResources, Resources, UnreadableKind};
@@ -33,6 +34,7 @@ pub use material::{
     Attenuation, Checker, CheckerSpace, Coated, Conductor, Dielectric, Material, MaterialChoice, Matte,
     MetalOptics, Mirror, Model, NamedMaterial, Pattern, Phong, RefractiveIndex, Share, ThinDielectric,
 };
+pub use part::ScenePart;
 pub use scene_images::HasImages;
 pub use shape::{ParaboloidDepth, Shape, ShapeKind};
 pub use text::{is_active, quoted_name, visible, visible_lines};

@@ -6,7 +6,7 @@
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use catoptric_editor::Item;
+use catoptric_scene::ScenePart;
 use catoptric_studio::host::{FileAnswer, FileQuestion, Host};
 use catoptric_studio::{AuditCommand, Command, StartDocument, Studio};
 use egui::{Event, Modifiers, PointerButton, Pos2};
@@ -38,7 +38,7 @@ struct Shot {
     theme: &'static str,
     scene: &'static str,
     /// What to select.
-    selected: Option<Item>,
+    selected: Option<ScenePart>,
     /// What is done one after the other.
     commands: Vec<&'static str>,
     hint: bool,
@@ -77,12 +77,17 @@ const fn shot(name: &'static str, language: &'static str, theme: &'static str, s
     }
 }
 
+/// What is selected: the body at this place.
+fn body(index: usize) -> Option<ScenePart> {
+    Some(ScenePart::Body(index))
+}
+
 fn shots() -> Vec<Shot> {
     vec![
-        Shot { selected: Some(Item::Body(1)), ..shot("studio-en-dark", "english", "dark", "four-bodies") },
-        Shot { selected: Some(Item::Body(1)), ..shot("studio-en-light", "english", "light", "four-bodies") },
-        Shot { selected: Some(Item::Body(1)), ..shot("studio-ru-dark", "russian", "dark", "whitted") },
-        Shot { selected: Some(Item::Body(1)), ..shot("studio-ru-light", "russian", "light", "whitted") },
+        Shot { selected: body(1), ..shot("studio-en-dark", "english", "dark", "four-bodies") },
+        Shot { selected: body(1), ..shot("studio-en-light", "english", "light", "four-bodies") },
+        Shot { selected: body(1), ..shot("studio-ru-dark", "russian", "dark", "whitted") },
+        Shot { selected: body(1), ..shot("studio-ru-light", "russian", "light", "whitted") },
         Shot { commands: vec!["file.examples"], ..shot("studio-examples", "english", "dark", "four-bodies") },
         Shot { commands: vec!["picture.render"], ..shot("studio-render", "russian", "light", "still-life") },
         Shot { commands: vec!["window.palette"], ..shot("studio-palette", "english", "light", "glass-row") },
@@ -102,45 +107,42 @@ fn shots() -> Vec<Shot> {
         },
         Shot {
             commands: vec!["view.exact"],
-            selected: Some(Item::Body(5)),
+            selected: body(5),
             ..shot("studio-exact-en", "english", "dark", "ring-of-images")
         },
         Shot {
             commands: vec!["view.exact"],
-            selected: Some(Item::Body(5)),
+            selected: body(5),
             ..shot("studio-exact-ru", "russian", "light", "ring-of-images")
         },
         Shot {
-            selected: Some(Item::Body(12)),
+            selected: body(12),
             pointer: Some([0.66, 0.5]),
             ..shot("studio-material-en", "english", "dark", "metals")
         },
         Shot {
-            selected: Some(Item::Body(14)),
+            selected: body(14),
             pointer: Some([0.48, 0.5]),
             ..shot("studio-material-ru", "russian", "light", "rising-index")
         },
         Shot {
-            selected: Some(Item::Body(12)),
+            selected: body(12),
             commands: vec!["window.pane.materials"],
             rows_down: 3,
             pointer: Some([0.568, 1.5]),
             ..shot("studio-materials-en", "english", "dark", "metals")
         },
         Shot {
-            selected: Some(Item::Body(14)),
+            selected: body(14),
             commands: vec!["window.pane.materials"],
             rows_down: 5,
             ..shot("studio-materials-ru", "russian", "light", "rising-index")
         },
         Shot {
-            selected: Some(Item::Environment),
+            selected: Some(ScenePart::Environment),
             ..shot("studio-surroundings-en", "english", "dark", "sky-room")
         },
-        Shot {
-            selected: Some(Item::Body(4)),
-            ..shot("studio-surroundings-ru", "russian", "light", "textures")
-        },
+        Shot { selected: body(4), ..shot("studio-surroundings-ru", "russian", "light", "textures") },
         Shot {
             commands: vec!["window.pane.compare"],
             ..shot("studio-compare", "english", "dark", "four-bodies")
@@ -187,8 +189,8 @@ fn take(shot: &Shot, size: [f32; 2], folder: &Path) {
         Studio::new(&creation.egui_ctx, &start, Box::new(Nowhere { settings })).unwrap()
     });
     harness.step();
-    if let Some(item) = shot.selected {
-        harness.state_mut().editor_mut().select(item);
+    if let Some(part) = shot.selected {
+        harness.state_mut().editor_mut().select_parts([part]);
     }
     for command in &shot.commands {
         harness.state_mut().run(Command::from_name(command).unwrap().clone());

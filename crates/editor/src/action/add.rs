@@ -4,9 +4,10 @@ use catoptric_scene::{Body, Color, Light, Material, MaterialChoice, NamedMateria
 use glam::DVec3;
 
 use super::outcome::ActionOutcome;
+use crate::edited_scene::EditedScene;
 use crate::names::UsedNames;
 use crate::new_body::NewBodyPlacement;
-use crate::selection::{Item, Selection};
+use crate::selection::Selection;
 
 /// Colors of new bodies, sRGB: of equal weight, each distinguished from the others at a glance.
 const PALETTE: [[u8; 3]; 8] = [
@@ -21,41 +22,41 @@ const PALETTE: [[u8; 3]; 8] = [
 ];
 
 pub(super) fn body(
-    scene: &Scene,
+    scene: &EditedScene,
     shape: ShapeKind,
     placement: &NewBodyPlacement,
     name: &str,
 ) -> ActionOutcome {
-    let mut names = UsedNames::of(scene.bodies.iter().map(|body| body.name.as_str()));
+    let mut names = UsedNames::of(scene.scene().bodies.iter().map(|body| body.name.as_str()));
     let body = Body {
         name: names.take(if name.is_empty() { shape.key() } else { name }),
-        material: MaterialChoice::Inline(Box::new(material(scene, shape))),
+        material: MaterialChoice::Inline(Box::new(material(scene.scene(), shape))),
         ..placement.body(shape)
     };
-    let mut scene = scene.clone();
-    let selection = Selection::one(Item::Body(scene.bodies.len()));
     let subject = body.name.clone();
-    scene.bodies.push(body);
+    let mut scene = scene.clone();
+    scene.append([], [], [body]);
+    let selection = scene.bodies().next_back().map_or_else(Selection::none, Selection::one);
     ActionOutcome { scene, selection, subject }
 }
 
-pub(super) fn light(scene: &Scene, at: DVec3, name: &str) -> ActionOutcome {
-    let mut names = UsedNames::of(scene.lights.iter().map(|light| light.name.as_str()));
+pub(super) fn light(scene: &EditedScene, at: DVec3, name: &str) -> ActionOutcome {
+    let mut names = UsedNames::of(scene.scene().lights.iter().map(|light| light.name.as_str()));
     let name = names.take(if name.is_empty() { "light" } else { name });
-    let mut scene = scene.clone();
-    let selection = Selection::one(Item::Light(scene.lights.len()));
     let subject = name.clone();
-    scene.lights.push(Light { name, position: at, ..Light::default() });
+    let mut scene = scene.clone();
+    scene.append([], [Light { name, position: at, ..Light::default() }], []);
+    let selection = scene.lights().next_back().map_or_else(Selection::none, Selection::one);
     ActionOutcome { scene, selection, subject }
 }
 
-pub(super) fn named_material(scene: &Scene, name: &str) -> ActionOutcome {
-    let mut names = UsedNames::of_materials(scene);
+pub(super) fn named_material(scene: &EditedScene, name: &str) -> ActionOutcome {
+    let mut names = UsedNames::of_materials(scene.scene());
     let name = names.take(if name.is_empty() { "material" } else { name });
-    let mut scene = scene.clone();
-    let selection = Selection::one(Item::Material(scene.materials.len()));
     let subject = name.clone();
-    scene.materials.push(NamedMaterial { name, material: Material::default() });
+    let mut scene = scene.clone();
+    scene.append([NamedMaterial { name, material: Material::default() }], [], []);
+    let selection = scene.materials().next_back().map_or_else(Selection::none, Selection::one);
     ActionOutcome { scene, selection, subject }
 }
 

@@ -1,18 +1,19 @@
 //! Parts of a scene as text: what a clipboard carries.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::path::Path;
 
 use catoptric_scene::{
-    HasImages as _, ImageSource, List, MaterialChoice, Scene, Shape, read, write_fragment,
+    HasImages as _, ImageSource, List, MaterialChoice, Scene, ScenePart, Shape, read, write_fragment,
 };
 use glam::DVec3;
 
 use super::{ActionError, ActionOutcome, subject};
 use crate::bounds;
 use crate::document::mover;
+use crate::edited_scene::EditedScene;
 use crate::names::{UsedNames, base, used_materials};
-use crate::selection::{Item, Selection};
+use crate::selection::Selection;
 
 /// How far copies are moved aside that are only lights or planes, meters.
 const ASIDE: f64 = 0.5;
@@ -22,25 +23,18 @@ const MOST_STEPS: u32 = 1000;
 
 /// The selected bodies and lights, and the materials they name or that are selected, as a scene file's text. Paths of
 /// pictures become whole where there is a `folder` at which they begin.
-pub(crate) fn copy(scene: &Scene, selection: &Selection, folder: Option<&Path>) -> Option<String> {
-    let chosen: HashSet<Item> = selection.iter().collect();
-    let of = |kind: fn(usize) -> Item| {
-        let chosen = &chosen;
-        move |index: &usize| chosen.contains(&kind(*index))
-    };
-    let bodies: List<_> = (0..scene.bodies.len())
-        .filter(of(Item::Body))
-        .filter_map(|index| scene.bodies.get(index).cloned())
-        .collect();
-    let lights: Vec<_> = (0..scene.lights.len())
-        .filter(of(Item::Light))
-        .filter_map(|index| scene.lights.get(index).cloned())
-        .collect();
+pub(crate) fn copy(edited: &EditedScene, selection: &Selection, folder: Option<&Path>) -> Option<String> {
+    let scene = edited.scene();
+    let chosen: BTreeSet<ScenePart> = edited.parts_of(selection).collect();
+    let body = |part: &ScenePart| if let ScenePart::Body(at) = *part { scene.bodies.get(at) } else { None };
+    let light = |part: &ScenePart| if let ScenePart::Light(at) = *part { scene.lights.get(at) } else { None };
+    let bodies: List<_> = chosen.iter().filter_map(body).cloned().collect();
+    let lights: Vec<_> = chosen.iter().filter_map(light).cloned().collect();
     let used = used_materials(&bodies);
     let materials = scene.materials.iter().enumerate();
     let materials: Vec<_> = materials
         .filter(|(index, named)| {
-            chosen.contains(&Item::Material(*index)) || used.contains(named.name.as_str())
+            chosen.contains(&ScenePart::Material(*index)) || used.contains(named.name.as_str())
         })
         .map(|(_, named)| named.clone())
         .collect();
@@ -55,10 +49,15 @@ pub(crate) fn copy(scene: &Scene, selection: &Selection, folder: Option<&Path>) 
 }
 
 /// Adds what a scene file's text says to a scene whose paths of pictures begin at `folder`.
-pub(crate) fn paste(scene: &Scene, text: &str, folder: Option<&Path>) -> Result<ActionOutcome, ActionError> {
+pub(crate) fn paste(
+    edited: &EditedScene,
+    text: &str,
+    folder: Option<&Path>,
+) -> Result<ActionOutcome, ActionError> {
     if text.trim().is_empty() {
         return Err(ActionError::NothingToPaste);
     }
+    let scene = edited.scene();
     let mut pasted = read(text).into_result().map_err(ActionError::BadText)?.value;
     let mut rename = mover(folder, folder);
     pasted.edit_images(&mut |image| {
@@ -102,7 +101,7 @@ pub(crate) fn paste(scene: &Scene, text: &str, folder: Option<&Path>) -> Result<
     if pasted.bodies.is_empty() && pasted.lights.is_empty() && pasted.materials.is_empty() {
         return Err(ActionError::NothingToPaste);
     }
-    Ok(add(scene, pasted))
+    Ok(add(edited, pasted))
 }
 
 /// Whether `other` is what a material `name` was called when it was pasted beside another of its name.
@@ -112,7 +111,8 @@ fn is_copy_name(other: &str, name: &str, scene: &Scene) -> bool {
 
 /// Adds bodies, lights and materials at the end of a scene's lists and selects them. The materials' names are taken to
 /// be free; the other names are made so. What would stand exactly where something else does is moved a little.
-pub(crate) fn add(scene: &Scene, mut parts: Scene) -> ActionOutcome {
+pub(crate) fn add(edited: &EditedScene, mut parts: Scene) -> ActionOutcome {
+    let scene = edited.scene();
     let mut names = UsedNames::of(scene.bodies.iter().map(|body| body.name.as_str()));
     for body in &mut parts.bodies {
         body.name = names.take(&body.name);
@@ -124,19 +124,17 @@ pub(crate) fn add(scene: &Scene, mut parts: Scene) -> ActionOutcome {
         light.locked = false;
     }
     move_aside(scene, &mut parts);
-    let bodies = (scene.bodies.len()..).take(parts.bodies.len()).map(Item::Body);
-    let lights = (scene.lights.len()..).take(parts.lights.len()).map(Item::Light);
-    let mut selection: Selection = lights.chain(bodies).collect();
-    if selection.is_empty() {
-        selection = (scene.materials.len()..).take(parts.materials.len()).map(Item::Material).collect();
+    let lights = (scene.lights.len()..).take(parts.lights.len()).map(ScenePart::Light);
+    let bodies = (scene.bodies.len()..).take(parts.bodies.len()).map(ScenePart::Body);
+    let mut added: Vec<ScenePart> = lights.chain(bodies).collect();
+    if added.is_empty() {
+        added = (scene.materials.len()..).take(parts.materials.len()).map(ScenePart::Material).collect();
     }
-    let mut scene = scene.clone();
-    scene.materials.append(&mut parts.materials);
-    scene.lights.append(&mut parts.lights);
-    scene.bodies.extend(parts.bodies);
-    let items: Vec<Item> = selection.iter().collect();
-    let subject = subject(&scene, &items);
-    ActionOutcome { scene, selection, subject }
+    let mut edited = edited.clone();
+    edited.append(parts.materials, parts.lights, parts.bodies);
+    let subject = subject(edited.scene(), &added);
+    let selection = added.into_iter().filter_map(|part| edited.item(part)).collect();
+    ActionOutcome { scene: edited, selection, subject }
 }
 
 /// A place as something that can be looked up.
@@ -151,8 +149,8 @@ fn move_aside(scene: &Scene, parts: &mut Scene) {
     let bodies: HashSet<[u64; 3]> = scene.bodies.iter().map(|body| key(body.placement.origin())).collect();
     let lights: HashSet<[u64; 3]> = scene.lights.iter().map(|light| key(light.position)).collect();
     let are_planes = parts.bodies.iter().all(|body| body.shape == Shape::Plane);
-    let all: Selection = (0..parts.bodies.len()).map(Item::Body).collect();
-    let step = match bounds::ball_of_selection(parts, &all) {
+    let all: Vec<ScenePart> = (0..parts.bodies.len()).map(ScenePart::Body).collect();
+    let step = match bounds::ball_of_parts(parts, &all) {
         Some(ball) => DVec3::new(0.5 * ball.radius, 0.0, 0.5 * ball.radius),
         // A plane that is moved along itself stays where it is.
         None if are_planes && !parts.bodies.is_empty() => DVec3::Y * ASIDE,

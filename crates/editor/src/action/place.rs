@@ -1,10 +1,11 @@
 //! Actions on the placement of bodies.
 
-use catoptric_scene::{Body, Placement, Scene};
+use catoptric_scene::{Body, Placement};
 use glam::DVec3;
 
 use super::outcome::{Result, edit_bodies, wanting};
 use crate::bounds;
+use crate::edited_scene::EditedScene;
 use crate::selection::Selection;
 
 /// How far a body has to move up to stand on the ground; `None` when it stands there, within rounding, or is a plane.
@@ -14,11 +15,11 @@ fn to_ground(body: &Body) -> Option<f64> {
     (bounds.min.y.abs() > rounding).then_some(-bounds.min.y)
 }
 
-pub(super) fn check_drop(scene: &Scene, selection: &Selection) -> Result<()> {
+pub(super) fn check_drop(scene: &EditedScene, selection: &Selection) -> Result<()> {
     wanting(scene, selection, |body| to_ground(body).is_some()).map(drop)
 }
 
-pub(super) fn drop_to_ground(scene: &Scene, selection: &Selection) -> Result {
+pub(super) fn drop_to_ground(scene: &EditedScene, selection: &Selection) -> Result {
     edit_bodies(
         scene,
         selection,
@@ -43,10 +44,10 @@ fn is_turned(body: &Body) -> bool {
     body.placement != Placement::at(body.placement.origin())
 }
 
-pub(super) fn check_reset(scene: &Scene, selection: &Selection) -> Result<()> {
+pub(super) fn check_reset(scene: &EditedScene, selection: &Selection) -> Result<()> {
     wanting(scene, selection, is_turned).map(drop)
 }
 
-pub(super) fn reset(scene: &Scene, selection: &Selection) -> Result {
+pub(super) fn reset(scene: &EditedScene, selection: &Selection) -> Result {
     edit_bodies(scene, selection, is_turned, |body| *body = upright(body))
 }

@@ -1,28 +1,32 @@
 //! Actions on the selection.
 
-use catoptric_scene::Scene;
+use catoptric_scene::ScenePart;
 
 use super::flags::all;
-use crate::selection::{Item, Selection};
+use crate::edited_scene::EditedScene;
+use crate::identity::Item;
+use crate::selection::Selection;
 
 /// All bodies and lights that are visible and not locked. The bodies are last, so that one of them is the primary item.
-fn reachable(scene: &Scene) -> impl Iterator<Item = Item> {
-    all(scene).rev().filter(|item| !item.is_hidden(scene) && !item.is_locked(scene))
+fn reachable(scene: &EditedScene) -> impl Iterator<Item = Item> {
+    let is_reachable = |part: &ScenePart| !part.is_hidden(scene.scene()) && !part.is_locked(scene.scene());
+    all(scene.scene()).rev().filter(is_reachable).filter_map(|part| scene.item(part))
 }
 
-pub(super) fn select_all(scene: &Scene) -> Selection {
+pub(super) fn select_all(scene: &EditedScene) -> Selection {
     reachable(scene).collect()
 }
 
-pub(super) fn invert(scene: &Scene, selection: &Selection) -> Selection {
+pub(super) fn invert(scene: &EditedScene, selection: &Selection) -> Selection {
     let selected: std::collections::HashSet<Item> = selection.iter().collect();
     reachable(scene).filter(|item| !selected.contains(item)).collect()
 }
 
 /// The item after the primary one in the round of all that are not hidden, or before it.
-pub(super) fn next(scene: &Scene, selection: &Selection, is_forward: bool) -> Selection {
-    let shown: Vec<Item> = all(scene).filter(|item| !item.is_hidden(scene)).collect();
-    let primary = selection.primary().and_then(|primary| shown.iter().position(|item| *item == primary));
+pub(super) fn next(scene: &EditedScene, selection: &Selection, is_forward: bool) -> Selection {
+    let shown: Vec<ScenePart> = all(scene.scene()).filter(|part| !part.is_hidden(scene.scene())).collect();
+    let primary = selection.primary().and_then(|primary| scene.part(primary));
+    let primary = primary.and_then(|primary| shown.iter().position(|part| *part == primary));
     let count = shown.len();
     let place = match (primary, is_forward) {
         (Some(place), true) => (place + 1) % count,
@@ -30,5 +34,5 @@ pub(super) fn next(scene: &Scene, selection: &Selection, is_forward: bool) -> Se
         (None, true) => 0,
         (None, false) => count.saturating_sub(1),
     };
-    shown.get(place).copied().map_or_else(Selection::none, Selection::one)
+    shown.get(place).and_then(|part| scene.item(*part)).map_or_else(Selection::none, Selection::one)
 }

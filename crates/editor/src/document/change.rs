@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use catoptric_scene::{Body, Camera, Environment, Light, Material, Problem, Scene, ScenePart, Tracing};
 
-use super::{Difference, Editor, Gesture, RefusedChange, Selection, UndoStep};
+use super::{Difference, EditedScene, Editor, Gesture, RefusedChange, Selection, UndoStep};
 use crate::label::Label;
 
 /// Changes of more elements than this are checked by a check of the whole scene.
@@ -14,24 +14,23 @@ impl Editor {
     /// Changes the scene at once. Consecutive changes with equal labels are one gesture and, when it is settled, one
     /// undo step; another label settles the open gesture first. Returns whether this changed anything.
     ///
-    /// The whole scene is checked. Where only one part changes, the methods below cost less.
+    /// The whole scene is checked. Where only one part changes, the methods below cost less, and it may get another
+    /// name. Here things of one name are the same, those without a name by their values, then by their places.
     ///
     /// # Errors
     /// When the scene would have problems that it does not have now. It stays as it was, and so does the gesture.
     pub fn change(&mut self, label: Label, edit: impl FnOnce(&mut Scene)) -> Result<bool, RefusedChange> {
         self.settle_unless(&label);
-        let mut scene = Scene::clone(&self.scene);
+        let mut scene = Scene::clone(self.scene());
         edit(&mut scene);
-        if scene == *self.scene {
+        if scene == **self.scene() {
             return Ok(false);
         }
-        let problems = scene.check();
-        if !problems.is_empty() {
-            only_known(problems, || self.scene.check())?;
-        }
-        let start = std::mem::replace(&mut self.scene, Arc::new(scene));
+        self.refuse_problems(&scene)?;
+        let edited = self.edited.revised(Arc::new(scene));
+        let start = std::mem::replace(&mut self.edited, edited);
         self.open_at(label, Some(start));
-        self.selection.keep_in(&self.scene);
+        self.selection.retain(|item| self.edited.contains(item));
         self.revision += 1;
         Ok(true)
     }
@@ -144,7 +143,7 @@ impl Editor {
         label: Label,
         edit: impl FnOnce(&mut Camera),
     ) -> Result<bool, RefusedChange> {
-        self.change_value(label, |scene| &mut scene.camera, &ScenePart::Camera, edit)
+        self.change_value(label, |scene| &mut scene.camera, ScenePart::Camera, edit)
     }
 
     /// Moves the camera by looking around, as with [`Self::change_camera`]: it can be undone, and pictures show it. In
@@ -171,7 +170,7 @@ impl Editor {
         label: Label,
         edit: impl FnOnce(&mut Environment),
     ) -> Result<bool, RefusedChange> {
-        self.change_value(label, |scene| &mut scene.environment, &ScenePart::Environment, edit)
+        self.change_value(label, |scene| &mut scene.environment, ScenePart::Environment, edit)
     }
 
     /// Changes the limits of tracing.
@@ -183,30 +182,28 @@ impl Editor {
         label: Label,
         edit: impl FnOnce(&mut Tracing),
     ) -> Result<bool, RefusedChange> {
-        self.change_value(label, |scene| &mut scene.tracing, &ScenePart::Tracing, edit)
+        self.change_value(label, |scene| &mut scene.tracing, ScenePart::Tracing, edit)
     }
 
-    /// Takes over a whole new scene and selection as one undo step, no gesture being open. Returns whether this changed
-    /// anything; another selection alone is no step.
+    /// Takes over a whole new scene and what it has of a selection as one undo step, no gesture being open. Returns
+    /// whether this changed anything; another selection alone is no step.
     ///
     /// # Errors
     /// Those of [`Self::change`].
     pub(crate) fn step(
         &mut self,
         label: Label,
-        scene: Scene,
-        selection: Selection,
+        edited: EditedScene,
+        mut selection: Selection,
     ) -> Result<bool, RefusedChange> {
-        let Some(difference) = Difference::between(&self.scene, &scene) else {
+        selection.retain(|item| edited.contains(item));
+        let Some(difference) = Difference::between(&self.edited, &edited) else {
             let is_new = self.selection != selection;
             self.selection = selection;
             return Ok(is_new);
         };
-        let problems = scene.check();
-        if !problems.is_empty() {
-            only_known(problems, || self.scene.check())?;
-        }
-        self.scene = Arc::new(scene);
+        self.refuse_problems(edited.scene())?;
+        self.edited = edited;
         self.revision += 1;
         let selection_before = std::mem::replace(&mut self.selection, selection);
         let selection_after = self.selection.clone();
@@ -215,17 +212,22 @@ impl Editor {
         Ok(true)
     }
 
+    fn refuse_problems(&self, scene: &Scene) -> Result<(), RefusedChange> {
+        let problems = scene.check();
+        if problems.is_empty() { Ok(()) } else { only_known(problems, || self.scene().check()) }
+    }
+
     fn change_value<T: Clone + PartialEq>(
         &mut self,
         label: Label,
         value_of: impl Fn(&mut Scene) -> &mut T,
-        part: &ScenePart,
+        part: ScenePart,
         edit: impl FnOnce(&mut T),
     ) -> Result<bool, RefusedChange> {
         let swap = |scene: &mut Scene, value: &mut T| std::mem::swap(value_of(scene), value);
         self.settle_unless(&label);
         let before = self.scene_before();
-        let scene = Arc::make_mut(&mut self.scene);
+        let scene = Arc::make_mut(&mut self.edited.scene);
         let mut old = value_of(scene).clone();
         edit(value_of(scene));
         let has_changed = *value_of(scene) != old;
@@ -251,7 +253,7 @@ impl Editor {
     ) -> Result<bool, RefusedChange> {
         self.settle_unless(&label);
         let before = self.scene_before();
-        let scene = Arc::make_mut(&mut self.scene);
+        let scene = Arc::make_mut(&mut self.edited.scene);
         let mut old: Vec<(usize, T)> = Vec::new();
         for index in indices {
             let Some(element) = element_of(scene, index) else { continue };
@@ -274,7 +276,7 @@ impl Editor {
             if old.len() > MOST_PARTS {
                 return scene.check();
             }
-            old.iter().flat_map(|(index, _)| scene.check_part(&part(*index))).collect()
+            old.iter().flat_map(|(index, _)| scene.check_part(part(*index))).collect()
         };
         let has_changed = !old.is_empty();
         let problems = check(scene, &old);
@@ -293,7 +295,7 @@ impl Editor {
     fn finish_change(
         &mut self,
         label: Label,
-        before: Option<Arc<Scene>>,
+        before: Option<EditedScene>,
         outcome: Result<bool, RefusedChange>,
     ) -> Result<bool, RefusedChange> {
         if matches!(outcome, Ok(true)) {
@@ -301,7 +303,7 @@ impl Editor {
             self.revision += 1;
         } else if let Some(before) = before {
             // An equal scene, but the one that others hold: they see at once that nothing is new.
-            self.scene = before;
+            self.edited = before;
         }
         outcome
     }
@@ -314,13 +316,13 @@ impl Editor {
 
     /// The scene that a gesture starts from, or that is put back where a change comes to nothing. One that nobody else
     /// holds is edited in place once a gesture is open, so it must not be held here then.
-    fn scene_before(&self) -> Option<Arc<Scene>> {
-        let is_copied = self.gesture.is_none() || Arc::strong_count(&self.scene) > 1;
-        is_copied.then(|| Arc::clone(&self.scene))
+    fn scene_before(&self) -> Option<EditedScene> {
+        let is_copied = self.gesture.is_none() || Arc::strong_count(self.scene()) > 1;
+        is_copied.then(|| self.edited.clone())
     }
 
     /// Opens a gesture, unless one is open. Either is no navigation, as far as it is known here.
-    fn open_at(&mut self, label: Label, start: Option<Arc<Scene>>) {
+    fn open_at(&mut self, label: Label, start: Option<EditedScene>) {
         match (&mut self.gesture, start) {
             (Some(gesture), _) => gesture.is_navigation = false,
             (None, Some(start)) => {

@@ -21,10 +21,10 @@ impl Editor {
             }
         };
         let is_found = |image: &Image| image.pixels().is_none() && open(image.source()).is_some();
-        let is_saved = self.saved.as_ref().is_some_and(|saved| Arc::ptr_eq(saved, &self.scene));
+        let is_saved = self.saved.as_ref().is_some_and(|saved| Arc::ptr_eq(saved, self.scene()));
         let has_any = self.edit_all_images(is_found, fill);
         match &mut self.saved {
-            Some(saved) if is_saved => *saved = Arc::clone(&self.scene),
+            Some(saved) if is_saved => *saved = Arc::clone(&self.edited.scene),
             Some(saved) => _ = edit_images(saved, is_found, fill),
             None => {}
         }
@@ -44,12 +44,12 @@ impl Editor {
         concerned: impl Fn(&Image) -> bool,
         edit: &mut dyn FnMut(&mut Image),
     ) -> bool {
-        let is_edited = edit_images(&mut self.scene, &concerned, edit);
+        let is_edited = edit_images(&mut self.edited.scene, &concerned, edit);
         if is_edited {
             self.revision += 1;
         }
         if let Some(gesture) = &mut self.gesture {
-            edit_images(&mut gesture.start, &concerned, edit);
+            edit_images(&mut gesture.start.scene, &concerned, edit);
         }
         self.history.edit_images(edit);
         is_edited

@@ -42,7 +42,7 @@ impl SceneWriter {
 impl Editor {
     /// The scene as it is now, to be written. Its text takes as long to make as the file takes to read.
     pub fn writing(&self) -> SceneWriter {
-        SceneWriter { scene: Arc::clone(&self.scene), original_text: Arc::clone(&self.text) }
+        SceneWriter { scene: Arc::clone(&self.edited.scene), original_text: Arc::clone(&self.text) }
     }
 
     /// The scene as it is now, with paths of pictures from the folder of the file at `path`, to be written there. The
@@ -67,15 +67,15 @@ impl Editor {
         if self.folder() != path.parent() {
             let from = self.folder().map(Path::to_owned);
             self.move_images(from.as_deref(), path.parent());
-            if self.scene == writing.scene {
+            if self.edited.scene == writing.scene {
                 // Lists that are shared are compared at once.
-                self.scene = Arc::clone(&writing.scene);
+                self.edited.scene = Arc::clone(&writing.scene);
             }
         }
         self.set_path(path);
         self.text = text.into();
         let mut saved = Arc::clone(&writing.scene);
-        share_pixels(&mut saved, &self.scene);
+        share_pixels(&mut saved, &self.edited.scene);
         self.saved = Some(saved);
     }
 
@@ -86,7 +86,9 @@ impl Editor {
 
     /// Whether the scene is another than the saved one. Undoing back to that makes this false again.
     pub fn is_changed(&self) -> bool {
-        self.saved.as_ref().is_none_or(|saved| !Arc::ptr_eq(saved, &self.scene) && *saved != self.scene)
+        self.saved
+            .as_ref()
+            .is_none_or(|saved| !Arc::ptr_eq(saved, &self.edited.scene) && *saved != self.edited.scene)
     }
 
     /// Whether something would be lost with the document: a change that no file has, other than looking around in a
@@ -94,8 +96,8 @@ impl Editor {
     pub fn has_unsaved_work(&self) -> bool {
         match &self.saved {
             Some(saved) if self.path.is_none() => {
-                let is_moved = saved.camera != self.scene.camera;
-                differ_beyond_cameras(saved, &self.scene) || is_moved && !self.has_only_navigated()
+                let is_moved = saved.camera != self.edited.scene.camera;
+                differ_beyond_cameras(saved, &self.edited.scene) || is_moved && !self.has_only_navigated()
             }
             _ => self.is_changed(),
         }
@@ -103,7 +105,7 @@ impl Editor {
 
     /// Whether nothing but [`Self::navigate`] has moved the camera to where it is.
     fn has_only_navigated(&self) -> bool {
-        let is_moving = |gesture: &&Gesture| gesture.start.camera != self.scene.camera;
+        let is_moving = |gesture: &&Gesture| gesture.start.scene.camera != self.edited.scene.camera;
         let gesture = self.gesture.as_ref().filter(is_moving);
         gesture.is_none_or(|gesture| gesture.is_navigation) && self.history.has_only_navigated()
     }
@@ -123,19 +125,16 @@ impl Editor {
         &self.title
     }
 
-    /// Takes the scene that the document's file says now, as one undo step. What was selected stays so by its name.
+    /// Takes the scene that the document's file says now, as one undo step. Things of one name are the same, those
+    /// without a name by their values, then by their places.
     ///
     /// # Errors
     /// When the scene has problems.
     pub fn revert(&mut self, text: impl Into<Arc<str>>, scene: Scene) -> Result<(), RefusedChange> {
         self.settle();
         let saved = Arc::new(scene);
-        let target = Arc::clone(&saved);
         let label = Label::new("edit-revert", self.title.clone());
-        let (before, selection) = (Arc::clone(&self.scene), self.selection.clone());
-        self.change(label, move |scene| target.as_ref().clone_into(scene))?;
-        self.selection = selection.carried(&before, &self.scene);
-        self.settle();
+        self.step(label, self.edited.revised(Arc::clone(&saved)), self.selection.clone())?;
         self.text = text.into();
         self.saved = Some(saved);
         Ok(())

@@ -1,10 +1,12 @@
 //! The difference of two scenes, as small as the edit between them.
 
-use catoptric_scene::{
-    Body, Camera, Environment, HasImages as _, Image, Light, NamedMaterial, Scene, Tracing,
-};
+use std::sync::Arc;
 
-use super::sequence::Sequence;
+use catoptric_scene::{Body, Camera, Environment, HasImages as _, Image, Light, NamedMaterial, Tracing};
+
+use crate::edited_scene::EditedScene;
+use crate::identity::{IdList, ItemId};
+use crate::sequence::Sequence;
 
 /// The changes that make one scene into another, and back.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,6 +17,9 @@ pub(crate) struct Difference {
     materials: ListDifference<NamedMaterial>,
     lights: ListDifference<Light>,
     bodies: ListDifference<Body>,
+    material_ids: ListDifference<ItemId>,
+    light_ids: ListDifference<ItemId>,
+    body_ids: ListDifference<ItemId>,
 }
 
 /// The changes of a list.
@@ -31,7 +36,10 @@ const AFTER: usize = 1;
 
 impl Difference {
     /// The difference between two scenes; `None` when there is none.
-    pub(crate) fn between(before: &Scene, after: &Scene) -> Option<Self> {
+    pub(crate) fn between(before: &EditedScene, after: &EditedScene) -> Option<Self> {
+        let ids_before = &before.identities;
+        let ids_after = &after.identities;
+        let (before, after) = (&before.scene, &after.scene);
         let difference = Self {
             camera: values(&before.camera, &after.camera),
             environment: values(&before.environment, &after.environment),
@@ -39,6 +47,9 @@ impl Difference {
             materials: ListDifference::between(&before.materials, &after.materials),
             lights: ListDifference::between(&before.lights, &after.lights),
             bodies: ListDifference::between(&before.bodies, &after.bodies),
+            material_ids: ListDifference::between(ids_before.materials.ids(), ids_after.materials.ids()),
+            light_ids: ListDifference::between(ids_before.lights.ids(), ids_after.lights.ids()),
+            body_ids: ListDifference::between(ids_before.bodies.ids(), ids_after.bodies.ids()),
         };
         (!difference.is_empty()).then_some(difference)
     }
@@ -50,6 +61,11 @@ impl Difference {
             && self.materials.is_empty()
             && self.lights.is_empty()
             && self.bodies.is_empty()
+            && !self.has_other_ids()
+    }
+
+    fn has_other_ids(&self) -> bool {
+        !(self.material_ids.is_empty() && self.light_ids.is_empty() && self.body_ids.is_empty())
     }
 
     /// Whether the two have different cameras.
@@ -58,12 +74,12 @@ impl Difference {
     }
 
     /// Makes the scene before of the one after.
-    pub(crate) fn undo(&self, scene: &mut Scene) {
+    pub(crate) fn undo(&self, scene: &mut EditedScene) {
         self.take::<BEFORE>(scene);
     }
 
     /// Makes the scene after of the one before.
-    pub(crate) fn redo(&self, scene: &mut Scene) {
+    pub(crate) fn redo(&self, scene: &mut EditedScene) {
         self.take::<AFTER>(scene);
     }
 
@@ -74,7 +90,8 @@ impl Difference {
         self.bodies.each(|body| body.edit_images(edit));
     }
 
-    fn take<const SIDE: usize>(&self, scene: &mut Scene) {
+    fn take<const SIDE: usize>(&self, edited: &mut EditedScene) {
+        let scene = Arc::make_mut(&mut edited.scene);
         if let Some(camera) = self.camera {
             scene.camera = camera[SIDE];
         }
@@ -87,6 +104,12 @@ impl Difference {
         self.materials.take::<SIDE>(&mut scene.materials);
         self.lights.take::<SIDE>(&mut scene.lights);
         self.bodies.take::<SIDE>(&mut scene.bodies);
+        if self.has_other_ids() {
+            let identities = Arc::make_mut(&mut edited.identities);
+            self.material_ids.take_ids::<SIDE>(&mut identities.materials);
+            self.light_ids.take_ids::<SIDE>(&mut identities.lights);
+            self.body_ids.take_ids::<SIDE>(&mut identities.bodies);
+        }
     }
 }
 
@@ -145,32 +168,73 @@ impl<T: Clone + PartialEq> ListDifference<T> {
     }
 }
 
+impl ListDifference<ItemId> {
+    fn take_ids<const SIDE: usize>(&self, list: &mut IdList) {
+        if !self.is_empty() {
+            self.take::<SIDE>(list.edit());
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
+    use std::collections::HashSet;
+
+    use catoptric_scene::{Scene, ScenePart};
     use glam::DVec3;
 
     use super::*;
 
-    fn scene() -> Scene {
+    fn scene() -> EditedScene {
         let body = |index: usize| Body { name: index.to_string(), ..Body::default() };
-        Scene { bodies: (0..1000).map(body).collect(), ..Scene::default() }
+        let scene = Scene { bodies: (0..1000).map(body).collect(), ..Scene::default() };
+        EditedScene::new(Arc::new(scene))
+    }
+
+    fn ids(scene: &EditedScene) -> Vec<ItemId> {
+        scene.identities.bodies.ids().to_vec()
     }
 
     /// How many bodies the difference of an edit holds; the edit is undone and done again on the way.
     fn size(edit: impl FnOnce(&mut Scene)) -> usize {
         let before = scene();
-        let mut after = before.clone();
+        let mut after = Scene::clone(before.scene());
         edit(&mut after);
-        let difference = Difference::between(&before, &after).unwrap();
+        let difference = checked(&before, &before.revised(Arc::new(after)));
+        count(&difference.bodies)
+    }
+
+    /// The difference, which is undone and done again.
+    fn checked(before: &EditedScene, after: &EditedScene) -> Difference {
+        let difference = Difference::between(before, after).unwrap();
         let mut scene = after.clone();
         difference.undo(&mut scene);
-        assert_eq!(scene, before);
+        assert_eq!((scene.scene(), ids(&scene)), (before.scene(), ids(before)));
         difference.redo(&mut scene);
-        assert_eq!(scene, after);
-        match difference.bodies {
+        assert_eq!((scene.scene(), ids(&scene)), (after.scene(), ids(after)));
+        difference
+    }
+
+    fn count<T>(difference: &ListDifference<T>) -> usize {
+        match difference {
             ListDifference::Elements(elements) => 2 * elements.len(),
             ListDifference::Part(_, sides) => sides[0].len() + sides[1].len(),
         }
+    }
+
+    #[test]
+    fn identities_add_as_little_as_the_edit() {
+        let before = scene();
+        let mut after = before.clone();
+        after.remove(&HashSet::from([ScenePart::Body(500)]));
+        assert_eq!(count(&checked(&before, &after).body_ids), 1);
+        let mut moved = before.clone();
+        moved.edit(|scene| scene.bodies[500].hidden = true);
+        assert_eq!(count(&checked(&before, &moved).body_ids), 0);
+        let mut swapped = before.clone();
+        let order: Vec<usize> = (0..998).chain([999, 998]).collect();
+        swapped.reorder(ScenePart::Body, &order);
+        assert_eq!(count(&checked(&before, &swapped).body_ids), 4);
     }
 
     #[test]
@@ -184,6 +248,7 @@ mod tests {
         assert_eq!(size(|scene| scene.bodies.push(scene.bodies[999].clone())), 1);
         assert_eq!(size(|scene| scene.bodies.splice(10..20, [])), 10);
         assert_eq!(size(|scene| scene.bodies.clear()), 1000);
-        assert_eq!(Difference::between(&scene(), &scene()), None);
+        let scene = scene();
+        assert_eq!(Difference::between(&scene, &scene.clone()), None);
     }
 }

@@ -1,10 +1,10 @@
 //! Known answers of the actions on bodies and lights.
 
-use catoptric_editor::{Action, ActionError, Item, NewBodyPlacement, Selection, bounds};
-use catoptric_scene::{Anchor, Placement, Shape, ShapeKind};
+use catoptric_editor::{Action, ActionError, Item, NewBodyPlacement, bounds};
+use catoptric_scene::{Anchor, Placement, ScenePart, Shape, ShapeKind};
 use glam::DVec3;
 
-use crate::common::{act, bodies, editor, gray, label, names, refuse, selected, selecting};
+use crate::common::{act, bodies, editor, gray, items, label, names, refuse, selected, selecting};
 
 fn add(shape: ShapeKind, placement: NewBodyPlacement) -> Action {
     Action::AddBody { shape, placement, name: String::new() }
@@ -29,7 +29,7 @@ fn new_bodies_stand_where_they_are_told_in_colors_of_their_own() {
     }
     let scene = editor.scene();
     assert_eq!(names(&editor)[4..], ["sphere", "cube", "cylinder", "cone", "paraboloid", "sphere 2"]);
-    assert_eq!(selected(&editor), [Item::Body(9)]);
+    assert_eq!(selected(&editor), [ScenePart::Body(9)]);
     assert_eq!(editor.undo_label().unwrap().subject, "sphere 2");
     let mut colors = Vec::new();
     for (index, body) in scene.bodies.iter().skip(4).enumerate() {
@@ -54,17 +54,23 @@ fn new_lights_and_materials_are_selected() {
     act(&mut editor, &Action::AddLight { at: DVec3::new(1.0, 2.0, 3.0), name: "left".to_owned() });
     let light = editor.scene().lights.last().unwrap();
     assert_eq!((light.name.as_str(), light.position), ("left 2", DVec3::new(1.0, 2.0, 3.0)));
-    assert_eq!(selected(&editor), [Item::Light(2)]);
+    assert_eq!(selected(&editor), [ScenePart::Light(2)]);
     act(&mut editor, &Action::AddMaterial { name: String::new() });
     assert_eq!(editor.scene().materials.last().unwrap().name, "material");
-    assert_eq!(selected(&editor), [Item::Material(3)]);
+    assert_eq!(selected(&editor), [ScenePart::Material(3)]);
 }
 
 #[test]
 fn duplicates_are_named_moved_and_selected() {
-    let mut editor =
-        selecting([Item::Body(1), Item::Light(0), Item::Material(0), Item::Camera, Item::Body(0)]);
-    editor.apply(Action::SetLocked { item: Item::Body(0), locked: true }).unwrap();
+    let mut editor = selecting([
+        ScenePart::Body(1),
+        ScenePart::Light(0),
+        ScenePart::Material(0),
+        ScenePart::Camera,
+        ScenePart::Body(0),
+    ]);
+    let item = items(&editor);
+    editor.apply(Action::SetLocked { item: item(ScenePart::Body(0)), locked: true }).unwrap();
     act(&mut editor, &Action::Duplicate);
     let scene = editor.scene();
     assert_eq!(names(&editor), ["a", "b", "c", "d", "a 2", "b 2"]);
@@ -73,7 +79,7 @@ fn duplicates_are_named_moved_and_selected() {
         (scene.materials[3].name.as_str(), scene.materials[3].material.clone()),
         ("red 2", scene.materials[0].material.clone())
     );
-    assert_eq!(selected(&editor), [Item::Light(2), Item::Body(4), Item::Body(5)]);
+    assert_eq!(selected(&editor), [ScenePart::Light(2), ScenePart::Body(4), ScenePart::Body(5)]);
     assert!(scene.bodies[0].locked && !scene.bodies[4].locked);
     // All by the same way, half the radius of the ball around the copies (x from −1 to 4).
     let offset = scene.bodies[4].placement.origin() - scene.bodies[0].placement.origin();
@@ -86,26 +92,31 @@ fn duplicates_are_named_moved_and_selected() {
 
 #[test]
 fn deletion_keeps_what_is_locked() {
-    let mut editor = selecting([Item::Body(2), Item::Light(1), Item::Body(0), Item::Body(1), Item::Tracing]);
-    editor.apply(Action::SetLocked { item: Item::Body(2), locked: true }).unwrap();
+    let mut editor = selecting([
+        ScenePart::Body(2),
+        ScenePart::Light(1),
+        ScenePart::Body(0),
+        ScenePart::Body(1),
+        ScenePart::Tracing,
+    ]);
+    let item = items(&editor);
+    editor.apply(Action::SetLocked { item: item(ScenePart::Body(2)), locked: true }).unwrap();
     act(&mut editor, &Action::Delete);
     assert_eq!(names(&editor), ["c", "d"]);
     assert_eq!(editor.scene().lights.len(), 1);
-    assert_eq!(selected(&editor), [Item::Body(0), Item::Tracing]);
+    assert_eq!(selected(&editor), [ScenePart::Body(0), ScenePart::Tracing]);
     assert!(matches!(gray(&mut editor, &Action::Delete), ActionError::Locked));
     assert!(matches!(gray(&mut editor, &Action::Cut), ActionError::Locked));
     editor.apply(Action::Undo).unwrap();
-    editor.select(
-        [Item::Light(1), Item::Light(0), Item::Body(0), Item::Body(3)].into_iter().collect::<Selection>(),
-    );
-    for item in [Item::Light(1), Item::Body(3)] {
+    editor.select_parts([ScenePart::Light(1), ScenePart::Light(0), ScenePart::Body(0), ScenePart::Body(3)]);
+    for item in [ScenePart::Light(1), ScenePart::Body(3)].map(&item) {
         editor.apply(Action::SetLocked { item, locked: true }).unwrap();
     }
     act(&mut editor, &Action::Delete);
-    assert_eq!(selected(&editor), [Item::Light(0), Item::Body(2)]);
+    assert_eq!(selected(&editor), [ScenePart::Light(0), ScenePart::Body(2)]);
     assert_eq!(editor.scene().lights[0].name, "right");
     editor.apply(Action::UnlockAll).unwrap();
-    editor.select(Item::Body(2));
+    editor.select_parts([ScenePart::Body(2)]);
     act(&mut editor, &Action::Cut);
     assert_eq!(editor.undo_label().unwrap().subject, "d");
     assert!(matches!(gray(&mut editor, &Action::Delete), ActionError::NothingSelected));
@@ -113,11 +124,12 @@ fn deletion_keeps_what_is_locked() {
 
 #[test]
 fn things_are_hidden_and_locked() {
-    let mut editor = selecting([Item::Body(0), Item::Light(0), Item::Camera]);
+    let mut editor = selecting([ScenePart::Body(0), ScenePart::Light(0), ScenePart::Camera]);
+    let item = items(&editor);
     let hidden = |editor: &catoptric_editor::Editor| {
         (editor.scene().bodies[0].hidden, editor.scene().bodies[1].hidden, editor.scene().lights[0].hidden)
     };
-    act(&mut editor, &Action::SetHidden { item: Item::Light(0), hidden: true });
+    act(&mut editor, &Action::SetHidden { item: item(ScenePart::Light(0)), hidden: true });
     act(&mut editor, &Action::ToggleHidden);
     assert_eq!(hidden(&editor), (true, false, true));
     act(&mut editor, &Action::ToggleHidden);
@@ -131,13 +143,13 @@ fn things_are_hidden_and_locked() {
     assert_eq!(hidden(&editor), (false, false, false));
     act(&mut editor, &Action::UnlockAll);
     assert!(!editor.scene().bodies[0].locked && !editor.scene().lights[0].locked);
-    let unhide = Action::SetHidden { item: Item::Body(0), hidden: false };
+    let unhide = Action::SetHidden { item: item(ScenePart::Body(0)), hidden: false };
     assert!(matches!(gray(&mut editor, &unhide), ActionError::NothingToDo));
-    for item in [Item::Body(9), Item::Material(0), Item::Camera] {
+    for item in [ScenePart::Body(9), ScenePart::Material(0), ScenePart::Camera].map(item) {
         let error = gray(&mut editor, &Action::SetLocked { item, locked: true });
         assert!(matches!(error, ActionError::NoSuchItem));
     }
-    editor.select(Item::Material(0));
+    editor.select_parts([ScenePart::Material(0)]);
     assert!(matches!(gray(&mut editor, &Action::ToggleHidden), ActionError::NothingSelected));
 }
 
@@ -146,7 +158,10 @@ fn lists_are_put_in_order() {
     let order = |editor: &catoptric_editor::Editor| names(editor).concat();
     let mut editor = selecting(bodies([3, 1]));
     act(&mut editor, &Action::MoveUp);
-    assert_eq!((order(&editor), selected(&editor)), ("badc".to_owned(), vec![Item::Body(2), Item::Body(0)]));
+    assert_eq!(
+        (order(&editor), selected(&editor)),
+        ("badc".to_owned(), vec![ScenePart::Body(2), ScenePart::Body(0)])
+    );
     act(&mut editor, &Action::MoveUp);
     assert_eq!(order(&editor), "bdac");
     assert!(matches!(gray(&mut editor, &Action::MoveUp), ActionError::NothingToDo));
@@ -155,17 +170,20 @@ fn lists_are_put_in_order() {
     act(&mut editor, &Action::MoveToIndex(0));
     assert_eq!(order(&editor), "bdac");
     act(&mut editor, &Action::MoveToIndex(usize::MAX));
-    assert_eq!((order(&editor), selected(&editor)), ("acbd".to_owned(), vec![Item::Body(3), Item::Body(2)]));
+    assert_eq!(
+        (order(&editor), selected(&editor)),
+        ("acbd".to_owned(), vec![ScenePart::Body(3), ScenePart::Body(2)])
+    );
     // Before the element that stands there now.
     act(&mut editor, &Action::MoveToIndex(1));
     assert_eq!(order(&editor), "abdc");
     assert!(matches!(gray(&mut editor, &Action::MoveToIndex(2)), ActionError::NothingToDo));
-    editor.select([Item::Body(1), Item::Light(0), Item::Light(1)].into_iter().collect::<Selection>());
+    editor.select_parts([ScenePart::Body(1), ScenePart::Light(0), ScenePart::Light(1)]);
     assert!(matches!(gray(&mut editor, &Action::MoveUp), ActionError::NothingToDo));
-    editor.select(Item::Material(2));
+    editor.select_parts([ScenePart::Material(2)]);
     act(&mut editor, &Action::MoveToIndex(0));
     assert_eq!(editor.scene().materials[0].name, "spare");
-    assert_eq!(selected(&editor), [Item::Material(0)]);
+    assert_eq!(selected(&editor), [ScenePart::Material(0)]);
     editor.select(Item::Camera);
     assert!(matches!(gray(&mut editor, &Action::MoveDown), ActionError::NothingSelected));
 }
@@ -182,7 +200,7 @@ fn selections_go_round() {
         editor.apply(action).unwrap();
         selected(&editor)
     };
-    let (body, light) = (Item::Body, Item::Light);
+    let (body, light) = (ScenePart::Body, ScenePart::Light);
     assert_eq!(select(Action::SelectAll), [light(1), light(0), body(3), body(0)]);
     assert_eq!(select(Action::SelectNone), []);
     assert_eq!(select(Action::SelectNext), [body(0)]);
@@ -244,8 +262,8 @@ fn bodies_are_dropped_and_reset() {
     let Shape::Cylinder { radius, height } = scene.bodies[1].shape else { panic!() };
     assert!(radius == 0.25 && (height - 5.0).abs() < 1e-12);
     assert!(matches!(gray(&mut editor, &Action::ResetPlacement), ActionError::NothingToDo));
-    editor.select(Item::Body(2));
+    editor.select_parts([ScenePart::Body(2)]);
     assert!(matches!(gray(&mut editor, &Action::DropToGround), ActionError::Locked));
-    editor.select(Item::Light(0));
+    editor.select_parts([ScenePart::Light(0)]);
     assert!(matches!(gray(&mut editor, &Action::ResetPlacement), ActionError::NothingSelected));
 }

@@ -1,14 +1,20 @@
 //! Copies as text, and what pasting makes of them.
 
-use catoptric_editor::{Action, ActionError, Editor, Item, Selection};
-use catoptric_scene::{Example, MaterialChoice, Scene, read};
+use catoptric_editor::{Action, ActionError, Editor, Selection};
+use catoptric_scene::{Example, MaterialChoice, Scene, ScenePart, read};
 use glam::DVec3;
 
-use crate::common::{act, bodies, editor, gray, label, names, refuse, selected, selecting};
+use crate::common::{act, bodies, editor, gray, items, label, names, refuse, selected, selecting};
 
 #[test]
 fn a_copy_is_a_scene_file() {
-    let editor = selecting([Item::Body(2), Item::Light(1), Item::Body(0), Item::Material(2), Item::Camera]);
+    let editor = selecting([
+        ScenePart::Body(2),
+        ScenePart::Light(1),
+        ScenePart::Body(0),
+        ScenePart::Material(2),
+        ScenePart::Camera,
+    ]);
     let text = editor.copy().unwrap();
     assert!(text.starts_with("format = \"catoptric/1\"\n"));
     assert!(!text.contains("camera") && !text.contains("tracing"), "{text}");
@@ -17,14 +23,15 @@ fn a_copy_is_a_scene_file() {
     assert_eq!(copied.materials, scene.materials);
     assert_eq!(copied.lights, scene.lights[1..]);
     assert_eq!(copied.bodies, [scene.bodies[0].clone(), scene.bodies[2].clone()]);
-    assert_eq!(selecting([Item::Camera, Item::Tracing]).copy(), None);
+    assert_eq!(selecting([ScenePart::Camera, ScenePart::Tracing]).copy(), None);
     assert_eq!(selecting(bodies([3])).copy().unwrap().matches("[materials").count(), 0);
 }
 
 #[test]
 fn pasted_things_are_named_moved_and_selected() {
-    let mut editor = selecting([Item::Body(1), Item::Light(0)]);
-    editor.apply(Action::SetLocked { item: Item::Body(1), locked: true }).unwrap();
+    let mut editor = selecting([ScenePart::Body(1), ScenePart::Light(0)]);
+    let item = items(&editor);
+    editor.apply(Action::SetLocked { item: item(ScenePart::Body(1)), locked: true }).unwrap();
     let text = editor.copy().unwrap();
     act(&mut editor, &Action::Paste(text.clone()));
     act(&mut editor, &Action::Paste(text.clone()));
@@ -34,7 +41,7 @@ fn pasted_things_are_named_moved_and_selected() {
     assert_eq!(scene.materials.len(), 3);
     assert_eq!(scene.bodies[5].material, MaterialChoice::Named("red".to_owned()));
     assert!(!scene.bodies[5].locked);
-    assert_eq!(selected(&editor), [Item::Light(3), Item::Body(5)]);
+    assert_eq!(selected(&editor), [ScenePart::Light(3), ScenePart::Body(5)]);
     assert_eq!(scene.bodies[4].placement.origin(), DVec3::new(3.5, 0.0, 0.5));
     assert_eq!(scene.bodies[5].placement.origin(), DVec3::new(4.0, 0.0, 1.0));
     // Where nothing stands they keep their place and name.
@@ -89,7 +96,7 @@ fn bad_texts_are_refused() {
     assert!(matches!(refuse(&mut editor, &camera), ActionError::NothingToPaste));
     let nothing = Action::Paste(" \n".to_owned());
     assert!(matches!(gray(&mut editor, &nothing), ActionError::NothingToPaste));
-    editor.select(Item::Material(1));
+    editor.select_parts([ScenePart::Material(1)]);
     let shared = editor.copy().unwrap();
     assert!(matches!(refuse(&mut editor, &Action::Paste(shared)), ActionError::NothingToPaste));
 }

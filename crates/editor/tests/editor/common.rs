@@ -1,7 +1,9 @@
 //! Small scenes and short ways to say things.
 
-use catoptric_editor::{Action, ActionError, Editor, Item, Label, Selection};
-use catoptric_scene::{Body, Light, Material, MaterialChoice, NamedMaterial, Phong, Placement, Scene, Shape};
+use catoptric_editor::{Action, ActionError, Editor, Item, Label};
+use catoptric_scene::{
+    Body, Light, Material, MaterialChoice, NamedMaterial, Phong, Placement, Scene, ScenePart, Shape,
+};
 use glam::DVec3;
 
 pub(crate) fn ball(name: &str, x: f64) -> Body {
@@ -45,15 +47,22 @@ pub(crate) fn editor() -> Editor {
     Editor::new(scene())
 }
 
-/// An editor with these bodies selected.
-pub(crate) fn selecting(items: impl IntoIterator<Item = Item>) -> Editor {
+/// An editor with the things at these places selected.
+pub(crate) fn selecting(parts: impl IntoIterator<Item = ScenePart>) -> Editor {
     let mut editor = editor();
-    editor.select(items.into_iter().collect::<Selection>());
+    editor.select_parts(parts);
     editor
 }
 
-pub(crate) fn bodies(indices: impl IntoIterator<Item = usize>) -> impl Iterator<Item = Item> {
-    indices.into_iter().map(Item::Body)
+/// What stands at each place now; where nothing does, a thing that the scene does not have.
+pub(crate) fn items(editor: &Editor) -> impl Fn(ScenePart) -> Item + use<> {
+    let edited = editor.edited().clone();
+    let stranger = self::editor().edited().bodies().next().unwrap();
+    move |part| edited.item(part).unwrap_or(stranger)
+}
+
+pub(crate) fn bodies(indices: impl IntoIterator<Item = usize>) -> impl Iterator<Item = ScenePart> {
+    indices.into_iter().map(ScenePart::Body)
 }
 
 pub(crate) fn label(key: &'static str) -> Label {
@@ -70,8 +79,9 @@ pub(crate) fn names(editor: &Editor) -> Vec<&str> {
     editor.scene().bodies.iter().map(|body| body.name.as_str()).collect()
 }
 
-pub(crate) fn selected(editor: &Editor) -> Vec<Item> {
-    editor.selection().iter().collect()
+/// The places of what is selected.
+pub(crate) fn selected(editor: &Editor) -> Vec<ScenePart> {
+    editor.selected_parts().collect()
 }
 
 /// Applies an action that must work, be one step with its key, be undone exactly, and be done again.

@@ -3,11 +3,11 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use catoptric_editor::{Editor, Item, Selection};
-use catoptric_scene::{MaterialChoice, Scene, Shape, read};
+use catoptric_editor::{Editor, Item};
+use catoptric_scene::{MaterialChoice, Scene, ScenePart, Shape, read};
 use glam::DVec3;
 
-use crate::common::{ball, bodies, editor, label, named, save, selected, selecting};
+use crate::common::{ball, bodies, editor, items, label, named, save, selected, selecting};
 
 fn move_a_bit(editor: &mut Editor, key: &'static str) -> bool {
     editor.change_body(0, label(key), |body| body.placement = body.placement.moved_by(DVec3::X)).unwrap()
@@ -74,7 +74,7 @@ fn a_gesture_that_comes_back_is_no_step_and_escape_restores() {
     assert!(editor.abandon());
     assert_eq!(editor.scene(), &start);
     assert_eq!(editor.revision(), revision + 1);
-    assert_eq!(editor.selection(), &Selection::one(Item::Body(0)));
+    assert_eq!(selected(&editor), [ScenePart::Body(0)]);
     assert!(!editor.abandon());
     // A change of nothing opens no gesture.
     assert_eq!(editor.change_body(0, label("edit-move"), |_| {}), Ok(false));
@@ -175,20 +175,22 @@ fn a_scene_with_an_old_problem_can_be_edited() {
 #[test]
 fn selections_stay_valid_and_in_order() {
     let mut editor = selecting(bodies([3, 1, 1, 77]));
-    assert_eq!(editor.selection().bodies().collect::<Vec<_>>(), [3, 1]);
+    assert_eq!(editor.selected_bodies().collect::<Vec<_>>(), [3, 1]);
     let mut selection = editor.selection().clone();
-    selection.toggle(Item::Light(0));
-    selection.toggle(Item::Body(3));
-    selection.add(Item::Body(1));
-    assert_eq!(selection.iter().collect::<Vec<_>>(), [Item::Light(0), Item::Body(1)]);
-    assert_eq!(selection.primary(), Some(Item::Body(1)));
-    editor.select(bodies([3, 1]).collect::<Selection>());
+    let [light, one, three] =
+        [ScenePart::Light(0), ScenePart::Body(1), ScenePart::Body(3)].map(items(&editor));
+    selection.toggle(light);
+    selection.toggle(three);
+    selection.add(one);
+    assert_eq!(selection.iter().collect::<Vec<_>>(), [light, one]);
+    assert_eq!(selection.primary(), Some(one));
+    editor.select_parts(bodies([3, 1]));
     editor.change(label("edit-cut"), |scene| scene.bodies.truncate(2)).unwrap();
-    assert_eq!(editor.selection().bodies().collect::<Vec<_>>(), [1]);
+    assert_eq!(editor.selected_bodies().collect::<Vec<_>>(), [1]);
     editor.undo();
-    assert_eq!(editor.selection().bodies().collect::<Vec<_>>(), [3, 1]);
+    assert_eq!(editor.selected_bodies().collect::<Vec<_>>(), [3, 1]);
     editor.redo();
-    assert_eq!(editor.selection().bodies().collect::<Vec<_>>(), [1]);
+    assert_eq!(editor.selected_bodies().collect::<Vec<_>>(), [1]);
 }
 
 const TEXT: &str =
@@ -237,16 +239,16 @@ fn what_is_selected_stays_so_by_name_when_the_file_is_read_again() {
     start.bodies.extend([unnamed(20.0), unnamed(30.0)]);
     let mut editor = Editor::open("mine.toml", "", start.clone());
     let chosen = [
-        Item::Body(5),
-        Item::Light(1),
-        Item::Body(3),
-        Item::Camera,
-        Item::Material(2),
-        Item::Body(4),
-        Item::Body(1),
-        Item::Body(0),
+        ScenePart::Body(5),
+        ScenePart::Light(1),
+        ScenePart::Body(3),
+        ScenePart::Camera,
+        ScenePart::Material(2),
+        ScenePart::Body(4),
+        ScenePart::Body(1),
+        ScenePart::Body(0),
     ];
-    editor.select(chosen.into_iter().collect::<Selection>());
+    editor.select_parts(chosen);
     // Body `b` is gone and a `new` one before all; of the two without a name the second one is another now.
     let mut scene = start.clone();
     scene.bodies[1] = scene.bodies[0].clone();
@@ -255,8 +257,15 @@ fn what_is_selected_stays_so_by_name_when_the_file_is_read_again() {
     scene.lights.swap(0, 1);
     scene.materials.insert(0, named("green", 1.4));
     editor.revert("", scene).unwrap();
-    let expected =
-        [Item::Light(0), Item::Body(3), Item::Camera, Item::Material(3), Item::Body(4), Item::Body(1)];
+    let expected = [
+        ScenePart::Body(5),
+        ScenePart::Light(0),
+        ScenePart::Body(3),
+        ScenePart::Camera,
+        ScenePart::Material(3),
+        ScenePart::Body(4),
+        ScenePart::Body(1),
+    ];
     assert_eq!(selected(&editor), expected);
     editor.undo();
     assert_eq!(selected(&editor), chosen);

@@ -1,6 +1,6 @@
 //! Any edits, all undone and all done again.
 
-use catoptric_editor::{Editor, Selection};
+use catoptric_editor::Editor;
 use catoptric_scene::{Example, MaterialChoice, Scene, SceneValue, read};
 use glam::DVec3;
 use proptest::prelude::*;
@@ -91,7 +91,7 @@ proptest! {
                     _ = editor.change_bodies(places.iter().copied(), label, |index, body| body.hidden = index % 2 == 0);
                 }
                 Edit::Camera(x) => _ = editor.change_camera(label, |camera| camera.position.x = *x),
-                Edit::Select(index) => editor.select(bodies([*index]).collect::<Selection>()),
+                Edit::Select(index) => editor.select_parts(bodies([*index])),
                 Edit::Undo => _ = editor.undo(),
                 Edit::Settle => _ = editor.settle(),
                 _ => _ = editor.change(label, |scene| perform(scene, edit)),
@@ -117,7 +117,7 @@ proptest! {
     }
 }
 
-/// Every value of the built-in scenes, set by its address.
+/// Every number and switch of the built-in scenes, set by its address.
 #[test]
 fn what_is_set_by_address_can_be_undone() {
     for example in Example::ALL {
@@ -140,6 +140,7 @@ fn what_is_set_by_address_can_be_undone() {
             assert_eq!(**editor.scene(), start, "{}", key.path);
             assert!(editor.redo());
             assert_eq!(**editor.scene(), set, "{}", key.path);
+            assert_eq!(editor.scene().get(&key.path).unwrap(), value, "{}", key.path);
             assert!(editor.undo());
             changed += 1;
         }

@@ -4,9 +4,10 @@ use std::collections::HashSet;
 use std::path::Path;
 use std::sync::Arc;
 
-use catoptric_editor::{Action, Editor, Item, Label};
+use catoptric_editor::{Action, Editor, Label};
 use catoptric_scene::{
-    Body, Image, ImageSource, Material, MaterialChoice, NamedMaterial, Pattern, Phong, Scene, Surroundings,
+    Body, Image, ImageSource, Material, MaterialChoice, NamedMaterial, Pattern, Phong, Scene, ScenePart,
+    Surroundings,
 };
 use proptest::prelude::*;
 
@@ -244,7 +245,7 @@ fn an_edit_while_the_document_is_being_saved_elsewhere_follows_it() {
 fn pasting_a_picture_that_is_there_finds_it() {
     let mut editor = Editor::new(scene());
     editor.open_images(open);
-    editor.select(Item::Body(1));
+    editor.select_parts([ScenePart::Body(1)]);
     let text = editor.copy().unwrap();
     editor.apply(Action::Paste(text)).unwrap();
     assert_eq!((editor.scene().bodies.len(), unopened(&editor)), (3, 0));
@@ -253,7 +254,7 @@ fn pasting_a_picture_that_is_there_finds_it() {
 #[test]
 fn what_is_pasted_in_another_folder_has_the_same_pictures() {
     let mut from = Editor::open("/scenes/a/room.toml", "", scene());
-    from.select(Item::Body(1));
+    from.select_parts([ScenePart::Body(1)]);
     let text = from.copy().unwrap();
     assert!(text.contains("\"/scenes/a/wood.png\""), "{text}");
     for (file, path) in [

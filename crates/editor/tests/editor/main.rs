@@ -7,6 +7,7 @@ mod clipboard;
 mod common;
 mod document;
 mod history;
+mod identity;
 mod images;
 mod materials;
 mod monkey;

@@ -6,7 +6,7 @@ use std::collections::HashMap;
 use catoptric_picture::{CompareError, Picture};
 use catoptric_platform::time::{Duration, Instant};
 use catoptric_scene::format::spec::KeySpec;
-use catoptric_scene::{AddressError, ImageError, Scene, ScenePath, SceneValue};
+use catoptric_scene::{AddressError, ImageError, ImageFault, Scene, ScenePath, SceneValue};
 use catoptric_store::Folder;
 use catoptric_tracer::raster::{Method, MethodError, PassName, draw};
 use catoptric_tracer::{
@@ -81,6 +81,9 @@ pub enum MeasureError {
     /// A picture that a value of the scene names cannot be opened.
     #[error(transparent)]
     Image(ImageError),
+    /// A value of the scene names a picture that does not exist; a path of a value begins in the current directory.
+    #[error("there is no picture {0}; the path begins in the current directory")]
+    MissingImage(String),
     /// A pixel that is asked for is not in the picture.
     #[error(
         "{question} is asked, but the picture has {width}x{height} pixels; columns and rows count from 0"
@@ -396,7 +399,10 @@ impl PointSetup {
             && let Err(errors) = scene.open_images(&Folder::current())
             && let Some(error) = errors.into_iter().next()
         {
-            return Err(MeasureError::Image(error));
+            return Err(match error.fault {
+                ImageFault::Missing(file) => MeasureError::MissingImage(file),
+                _ => MeasureError::Image(error),
+            });
         }
         Ok(scene)
     }

@@ -390,7 +390,11 @@ fn values_and_questions_that_make_no_sense_are_refused() {
             "bodies.bal.radius cannot be 1: `bodies` has no element `bal`; did you mean",
         ),
         ("bodies.ball.shape=cub", "mean", "bodies.ball.shape cannot be \"cub\": `shape` is `cub`"),
-        ("environment.picture=none.png", "mean", "cannot open the picture `none.png`"),
+        (
+            "environment.picture=none.png",
+            "mean",
+            "there is no picture none.png; the path begins in the current directory",
+        ),
         ("size=32x18,8x8", "pixel:9,3", "pixel:9,3 is asked, but the picture has 8x8 pixels"),
         ("size=32x18,8x8", "flip", "flip compares pictures of one size"),
     ] {

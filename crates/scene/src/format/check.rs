@@ -15,23 +15,7 @@ use crate::format::spec::{KeySpec, Kind, Limits};
 use crate::language::Language;
 use crate::light::Light;
 use crate::material::NamedMaterial;
-
-/// The part of a scene that has a problem.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum ScenePart {
-    /// The camera.
-    Camera,
-    /// The environment.
-    Environment,
-    /// The limits of tracing.
-    Tracing,
-    /// The named material at this index.
-    Material(usize),
-    /// The light at this index.
-    Light(usize),
-    /// The body at this index.
-    Body(usize),
-}
+use crate::part::ScenePart;
 
 /// A problem of a scene that no file could express.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -109,9 +93,9 @@ impl Scene {
     /// The problems of one part, by itself: its values, whether its name is another's too, whether its material is
     /// defined. Much cheaper than [`Self::check`] where only this part can have changed. A part that the scene does not
     /// have has no problems.
-    pub fn check_part(&self, part: &ScenePart) -> Vec<Problem> {
+    pub fn check_part(&self, part: ScenePart) -> Vec<Problem> {
         let mut check = SceneValidator { problems: Vec::new() };
-        match *part {
+        match part {
             ScenePart::Camera => check.camera(&self.camera),
             ScenePart::Environment => {
                 check.record(
@@ -186,7 +170,7 @@ struct SceneValidator {
 impl SceneValidator {
     fn add(&mut self, of: &NamedPart<'_>, key: &'static str, message: Message) {
         let name = (!of.name.is_empty()).then(|| quoted(of.name));
-        self.problems.push(Problem { part: of.part.clone(), key, name, message });
+        self.problems.push(Problem { part: of.part, key, name, message });
     }
 
     fn camera(&mut self, camera: &Camera) {
@@ -294,14 +278,14 @@ impl SceneValidator {
         things: Collection,
         names: impl Iterator<Item = &'a str>,
         name: &str,
-        part: &ScenePart,
+        part: ScenePart,
     ) {
         if name.is_empty() {
             return;
         }
         let mut users = names.enumerate().filter(|(_, other)| *other == name).map(|(index, _)| index + 1);
         if let (Some(first), Some(second)) = (users.next(), users.next()) {
-            self.add(&NamedPart::unnamed(part.clone()), "name", named_alike(things, name, first, second));
+            self.add(&NamedPart::unnamed(part), "name", named_alike(things, name, first, second));
         }
     }
 
@@ -405,14 +389,14 @@ mod tests {
         let parts = [ScenePart::Camera, ScenePart::Environment, ScenePart::Tracing].into_iter();
         let parts = parts.chain((0..3).map(ScenePart::Material)).chain((0..4).map(ScenePart::Light));
         let mut alone: Vec<Problem> =
-            parts.chain((0..5).map(ScenePart::Body)).flat_map(|part| scene.check_part(&part)).collect();
+            parts.chain((0..5).map(ScenePart::Body)).flat_map(|part| scene.check_part(part)).collect();
         for problem in whole {
             let at = alone.iter().position(|other| *other == problem);
             alone.remove(at.unwrap_or_else(|| panic!("{problem} is in no part")));
         }
         // By itself the first of two with a name is as wrong as the second.
-        let left: Vec<&ScenePart> = alone.iter().map(|problem| &problem.part).collect();
-        assert_eq!(left, [&ScenePart::Material(0), &ScenePart::Light(1), &ScenePart::Body(1)]);
+        let left: Vec<ScenePart> = alone.iter().map(|problem| problem.part).collect();
+        assert_eq!(left, [ScenePart::Material(0), ScenePart::Light(1), ScenePart::Body(1)]);
         assert!(alone.iter().all(|problem| problem.key == "name"));
     }
 }

@@ -1,6 +1,7 @@
 //! The panel of values of what is selected.
 
-use catoptric_editor::{Item, Label, RefusedChange, Selection};
+use catoptric_editor::{Label, RefusedChange, Selection};
+use catoptric_scene::ScenePart;
 use egui::{Id, Key, ScrollArea, Ui};
 
 use crate::base::texts::Texts;
@@ -121,13 +122,13 @@ pub(crate) fn inspector_ui(ui: &mut Ui, cx: &mut Cx<'_>, inspector: &mut Inspect
     ScrollArea::both().id_salt("inspector").auto_shrink([false, false]).show(ui, |ui| {
         ui.set_width(width);
         ui.spacing_mut().item_spacing.y = 4.0;
-        match cx.editor.selection().primary() {
-            Some(Item::Body(_)) => body::bodies_ui(ui, cx, memory),
-            Some(Item::Light(_)) => light::lights_ui(ui, cx, memory),
-            Some(Item::Material(index)) => material::named_ui(ui, cx, memory, index),
-            Some(Item::Camera) => camera::camera_ui(ui, cx, memory),
-            Some(Item::Environment) => surroundings::environment_ui(ui, cx, memory),
-            Some(Item::Tracing) => surroundings::tracing_ui(ui, cx, memory),
+        match cx.editor.primary_part() {
+            Some(ScenePart::Body(_)) => body::bodies_ui(ui, cx, memory),
+            Some(ScenePart::Light(_)) => light::lights_ui(ui, cx, memory),
+            Some(ScenePart::Material(index)) => material::named_ui(ui, cx, memory, index),
+            Some(ScenePart::Camera) => camera::camera_ui(ui, cx, memory),
+            Some(ScenePart::Environment) => surroundings::environment_ui(ui, cx, memory),
+            Some(ScenePart::Tracing) => surroundings::tracing_ui(ui, cx, memory),
             None => {
                 camera::camera_ui(ui, cx, memory);
                 surroundings::environment_ui(ui, cx, memory);

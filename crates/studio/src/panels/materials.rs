@@ -8,8 +8,8 @@ mod preview;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use catoptric_editor::{Action, Item, Label};
-use catoptric_scene::{Material, MaterialChoice, Scene};
+use catoptric_editor::{Action, Label};
+use catoptric_scene::{Material, MaterialChoice, Scene, ScenePart};
 use egui::{Align, Id, Key, Layout, RichText, Ui, vec2};
 use egui_material_icons::icons::ICON_LINK;
 
@@ -17,7 +17,7 @@ use crate::base::theme;
 use crate::base::thumbnails::Thumbnails;
 use crate::base::widgets::explained_icon_button;
 use crate::base::widgets::filter::filter_field;
-use crate::panels::outliner::item_name;
+use crate::panels::outliner::part_name;
 use crate::state::command::{Command, WindowCommand};
 use crate::state::context::Cx;
 use crate::state::layout::Pane;
@@ -228,20 +228,20 @@ fn target_ui(ui: &mut Ui, cx: &mut Cx<'_>) {
 
 /// What a click changes, in words, and whether there is something.
 fn target(cx: &Cx<'_>) -> (String, bool) {
-    let (scene, selection) = (cx.editor.scene(), cx.editor.selection());
-    let bodies: Vec<usize> = selection.bodies().take(2).collect();
-    let material = selection.primary().filter(|item| matches!(item, Item::Material(_)));
+    let scene = cx.editor.scene();
+    let bodies: Vec<usize> = cx.editor.selected_bodies().take(2).collect();
+    let material = cx.editor.primary_part().filter(|part| matches!(part, ScenePart::Material(_)));
     match (bodies.as_slice(), material) {
         ([body], _) => {
-            let name = item_name(cx.texts, scene, Item::Body(*body)).into_owned();
+            let name = part_name(cx.texts, scene, ScenePart::Body(*body)).into_owned();
             (cx.texts.with("materials-for-body", &[("name", name.into())]), true)
         }
         ([_, ..], _) => {
-            let count = selection.bodies().count();
+            let count = cx.editor.selected_bodies().count();
             (cx.texts.with("materials-for-bodies", &[("count", count.into())]), true)
         }
-        ([], Some(item)) => {
-            let name = item.name(scene).to_owned();
+        ([], Some(part)) => {
+            let name = part.name(scene).to_owned();
             (cx.texts.with("materials-for-material", &[("name", name.into())]), true)
         }
         ([], None) => (cx.t("materials-for-none").to_owned(), false),
@@ -252,17 +252,13 @@ fn target(cx: &Cx<'_>) -> (String, bool) {
 /// selected instead, they become what the preset is.
 fn give(cx: &mut Cx<'_>, thing: MaterialItem) {
     let scene = Arc::clone(cx.editor.scene());
-    let selection = cx.editor.selection();
-    let materials: Vec<usize> = selection
-        .iter()
-        .filter_map(|item| if let Item::Material(place) = item { Some(place) } else { None })
-        .collect();
-    let is_for_bodies = selection.bodies().next().is_some();
+    let materials: Vec<usize> = cx.editor.selected_materials().collect();
+    let is_for_bodies = cx.editor.selected_bodies().next().is_some();
     match (thing, thing.material(&scene)) {
         (MaterialItem::Preset(_), Some(preset)) if !is_for_bodies && !materials.is_empty() => {
             cx.editor.settle();
             let subject = match materials.as_slice() {
-                [only] => Item::Material(*only).name(&scene).to_owned(),
+                [only] => ScenePart::Material(*only).name(&scene).to_owned(),
                 _ => String::new(),
             };
             // It can be refused by no limit: presets are materials that files can hold.

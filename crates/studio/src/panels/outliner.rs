@@ -9,8 +9,8 @@ mod rows;
 use std::borrow::Cow;
 use std::mem;
 
-use catoptric_editor::{Action, Item, Selection};
-use catoptric_scene::{Body, MaterialChoice, Scene, ShapeKind};
+use catoptric_editor::{Action, EditedScene, Item, Selection};
+use catoptric_scene::{Body, MaterialChoice, Scene, ScenePart, ShapeKind};
 use egui::accesskit::Role;
 use egui::{EventFilter, Id, Rect, ScrollArea, Sense, TextEdit, Ui, WidgetInfo, pos2, vec2};
 use egui_material_icons::{MaterialIcon, icons};
@@ -36,7 +36,7 @@ pub(crate) struct Outliner {
     /// The primary thing that was last brought into view.
     shown: Option<Item>,
     /// The body whose row was under the pointer in the last frame.
-    hovered: Option<usize>,
+    hovered: Option<Item>,
     /// The thing that is being dragged.
     dragged: Option<Item>,
 }
@@ -63,9 +63,9 @@ impl Outliner {
     }
 
     /// Begins to type another name for `item`.
-    pub(crate) fn rename(&mut self, scene: &Scene, item: Item) {
+    pub(crate) fn rename(&mut self, edited: &EditedScene, item: Item) {
         if matches!(item, Item::Body(_) | Item::Light(_) | Item::Material(_)) {
-            let name = item.name(scene).to_owned();
+            let name = edited.name(item).to_owned();
             self.renaming = Some(RenameField { item, name, has_begun: false, is_drawn: false });
             self.rows.unfold(item);
             self.shown = None;
@@ -77,7 +77,7 @@ impl Outliner {
 pub(crate) fn outliner_ui(ui: &mut Ui, cx: &mut Cx<'_>, outliner: &mut Outliner) {
     filter_ui(ui, cx.texts, &mut outliner.filter);
     let renamed = outliner.renaming.as_ref().map(|renaming| renaming.item);
-    outliner.renaming.take_if(|renaming| !renaming.item.is_in(cx.editor.scene()));
+    outliner.renaming.take_if(|renaming| !cx.editor.edited().contains(renaming.item));
     let wanted = renamed.or(cx.editor.selection().primary()).filter(|item| outliner.shown != Some(*item));
     if let Some(item) = wanted {
         outliner.rows.unfold(item);
@@ -164,7 +164,7 @@ fn empty_ui(ui: &mut Ui, cx: &mut Cx<'_>, outliner: &Outliner, rect: Rect) {
 fn click(cx: &mut Cx<'_>, outliner: &mut Outliner, item: Item, modifiers: egui::Modifiers) {
     let mut selection = cx.editor.selection().clone();
     if modifiers.shift {
-        let from = outliner.anchor.filter(|item| item.is_in(cx.editor.scene())).or(selection.primary());
+        let from = outliner.anchor.filter(|item| cx.editor.edited().contains(*item)).or(selection.primary());
         selection = outliner.rows.range(from.unwrap_or(item), item);
     } else {
         if modifiers.command {
@@ -212,24 +212,29 @@ fn rename_ui(ui: &mut Ui, cx: &mut Cx<'_>, outliner: &mut Outliner, rect: Rect) 
 }
 
 fn take_name(cx: &mut Cx<'_>, RenameField { item, name, .. }: RenameField) {
-    if name != item.name(cx.editor.scene()) {
+    if name != cx.editor.edited().name(item) {
         cx.run(Command::Edit(Action::Rename { item, name }));
     }
 }
 
 /// What to call a thing: its name, or what it is.
-pub(crate) fn item_name<'a>(texts: &'a Texts, scene: &'a Scene, item: Item) -> Cow<'a, str> {
-    let name = item.name(scene);
+pub(crate) fn item_name<'a>(texts: &'a Texts, edited: &'a EditedScene, item: Item) -> Cow<'a, str> {
+    edited.part(item).map(|part| part_name(texts, edited.scene(), part)).unwrap_or_default()
+}
+
+/// What to call what stands at a place: its name, or what it is.
+pub(crate) fn part_name<'a>(texts: &'a Texts, scene: &'a Scene, part: ScenePart) -> Cow<'a, str> {
+    let name = part.name(scene);
     if !name.is_empty() {
         return Cow::Borrowed(name);
     }
-    let (key, place) = match item {
-        Item::Camera => return Cow::Borrowed(texts.get("outliner-camera")),
-        Item::Environment => return Cow::Borrowed(texts.get("outliner-environment")),
-        Item::Tracing => return Cow::Borrowed(texts.get("outliner-tracing")),
-        Item::Light(place) => ("name-light", place),
-        Item::Material(place) => ("name-material", place),
-        Item::Body(place) => {
+    let (key, place) = match part {
+        ScenePart::Camera => return Cow::Borrowed(texts.get("outliner-camera")),
+        ScenePart::Environment => return Cow::Borrowed(texts.get("outliner-environment")),
+        ScenePart::Tracing => return Cow::Borrowed(texts.get("outliner-tracing")),
+        ScenePart::Light(place) => ("name-light", place),
+        ScenePart::Material(place) => ("name-material", place),
+        ScenePart::Body(place) => {
             (scene.bodies.get(place).map_or("name-sphere", |body| shape_name(body.shape.kind())), place)
         }
     };
@@ -237,16 +242,24 @@ pub(crate) fn item_name<'a>(texts: &'a Texts, scene: &'a Scene, item: Item) -> C
     Cow::Owned(texts.with("outliner-unnamed", &arguments))
 }
 
+/// The body that a thing is.
+pub(crate) fn body_of(edited: &EditedScene, item: Item) -> Option<&Body> {
+    match edited.part(item) {
+        Some(ScenePart::Body(place)) => edited.scene().bodies.get(place),
+        _ => None,
+    }
+}
+
 /// The icon of a thing.
-pub(crate) fn item_icon(scene: &Scene, item: Item) -> MaterialIcon {
+pub(crate) fn item_icon(edited: &EditedScene, item: Item) -> MaterialIcon {
     match item {
         Item::Camera => icons::ICON_VIDEOCAM,
         Item::Environment => icons::ICON_LANDSCAPE,
         Item::Tracing => icons::ICON_ROUTE,
         Item::Light(_) => icons::ICON_LIGHTBULB,
         Item::Material(_) => icons::ICON_PALETTE,
-        Item::Body(place) => {
-            let shape = scene.bodies.get(place).map_or(ShapeKind::Sphere, |body| body.shape.kind());
+        Item::Body(_) => {
+            let shape = body_of(edited, item).map_or(ShapeKind::Sphere, |body| body.shape.kind());
             let command = Command::Add(AddCommand::Body(shape));
             command.look().map_or(icons::ICON_CIRCLE, |look| look.icon)
         }
@@ -254,12 +267,13 @@ pub(crate) fn item_icon(scene: &Scene, item: Item) -> MaterialIcon {
 }
 
 /// The color of the dot before a name: that of the surface or of the light.
-fn item_color(scene: &Scene, item: Item) -> Option<egui::Color32> {
-    let color = match item {
-        Item::Camera | Item::Environment | Item::Tracing => return None,
-        Item::Light(place) => scene.lights.get(place)?.color,
-        Item::Material(place) => scene.materials.get(place)?.material.emblem(),
-        Item::Body(place) => scene.material(&scene.bodies.get(place)?.material)?.emblem(),
+fn item_color(edited: &EditedScene, item: Item) -> Option<egui::Color32> {
+    let scene = edited.scene();
+    let color = match edited.part(item)? {
+        ScenePart::Camera | ScenePart::Environment | ScenePart::Tracing => return None,
+        ScenePart::Light(place) => scene.lights.get(place)?.color,
+        ScenePart::Material(place) => scene.materials.get(place)?.material.emblem(),
+        ScenePart::Body(place) => scene.material(&scene.bodies.get(place)?.material)?.emblem(),
     };
     let [r, g, b] = color.to_srgb8();
     Some(egui::Color32::from_rgb(r, g, b))

@@ -7,7 +7,6 @@ mod source;
 use std::ops::Range;
 use std::sync::Arc;
 
-use catoptric_editor::Item;
 use catoptric_scene::{Diagnostic, Diagnostics, Problem, Scene, ScenePart, Severity};
 use egui::text::{LayoutJob, TextWrapping};
 use egui::{
@@ -118,20 +117,12 @@ fn live_ui(ui: &mut Ui, cx: &mut Cx<'_>, problems: &ProblemsPanel, fault: Option
     for problem in &problems.live {
         let message = problem.message(cx.texts.language().into());
         if ui.selectable_label(false, RichText::new(message).color(color)).clicked()
-            && let Some(item) = item(&problem.part)
+            && matches!(problem.part, ScenePart::Body(_) | ScenePart::Light(_))
         {
-            cx.editor.select(item);
+            cx.editor.select_parts([problem.part]);
         }
     }
     ui.separator();
-}
-
-fn item(part: &ScenePart) -> Option<Item> {
-    match *part {
-        ScenePart::Body(index) => Some(Item::Body(index)),
-        ScenePart::Light(index) => Some(Item::Light(index)),
-        ScenePart::Camera | ScenePart::Environment | ScenePart::Tracing | ScenePart::Material(_) => None,
-    }
 }
 
 fn list_ui(ui: &mut Ui, cx: &Cx<'_>, problems: &mut ProblemsPanel) {

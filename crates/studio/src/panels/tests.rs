@@ -1,8 +1,8 @@
 //! Panels alone, with a context of their own: no shell, no window, no other panel.
 
-use catoptric_editor::{Action, Editor, Item};
+use catoptric_editor::{Action, Editor};
 use catoptric_live::Live;
-use catoptric_scene::Example;
+use catoptric_scene::{Example, ScenePart};
 use egui::Ui;
 use egui::accesskit::Role;
 use egui_kittest::Harness;
@@ -105,7 +105,7 @@ fn the_outliner_selects_and_asks_for_commands() {
     harness.run_steps(3);
     let editor = &harness.state().editor;
     let cylinder = editor.scene().bodies.iter().position(|body| body.name == "cylinder").unwrap();
-    assert_eq!(editor.selection().primary(), Some(Item::Body(cylinder)));
+    assert_eq!(editor.primary_part(), Some(ScenePart::Body(cylinder)));
     assert_eq!(harness.state().commands, []);
     harness.get_by_label("Add light").click();
     harness.run_steps(3);
@@ -124,7 +124,7 @@ fn the_history_goes_to_the_step_that_is_clicked() {
     let draw = |ui: &mut Ui, kit: &mut PanelKit<()>| kit.draw(ui, |ui, cx, ()| history_ui(ui, cx));
     let mut kit = PanelKit::<()>::new("four-bodies");
     let bodies = kit.editor.scene().bodies.len();
-    kit.editor.select(Item::Body(0));
+    kit.editor.select_parts([ScenePart::Body(0)]);
     for _ in 0..2 {
         kit.editor.apply(Action::Duplicate).unwrap();
     }

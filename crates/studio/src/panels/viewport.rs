@@ -24,7 +24,7 @@ mod scene_view;
 mod steering;
 mod toolbar;
 
-use catoptric_editor::{Action, Item};
+use catoptric_editor::Action;
 use catoptric_scene::Camera;
 use egui::accesskit::Role;
 use egui::emath::GuiRounding as _;
@@ -35,7 +35,7 @@ use egui::{
 
 use crate::base::{picture_frame, plates, theme};
 use crate::panels::maps;
-use crate::panels::outliner::item_name;
+use crate::panels::outliner::{item_name, part_name};
 use crate::state::command::Command;
 use crate::state::context::Cx;
 use camera_navigation::CameraNavigation;
@@ -315,7 +315,7 @@ fn tell(ui: &Ui, cx: &Cx<'_>, response: &Response) {
     response.widget_info(|| {
         let scene = cx.editor.scene();
         let names: Vec<String> =
-            cx.editor.selection().iter().map(|item| item_name(cx.texts, scene, item).into_owned()).collect();
+            cx.editor.selected_parts().map(|part| part_name(cx.texts, scene, part).into_owned()).collect();
         let label = if names.is_empty() {
             cx.t("viewport-picture").to_owned()
         } else {
@@ -343,10 +343,10 @@ fn notes(ui: &Ui, cx: &mut Cx<'_>, viewport: &Viewport, scene_view: &SceneView) 
         PointerAction::AimLight(active) => active.amount,
         _ => None,
     };
-    let scene = cx.editor.scene();
     let over = match viewport.pointer_tool.over {
-        Some(PointerTarget::Mark(item) | PointerTarget::Arrow(item)) => Some(item),
-        Some(PointerTarget::Body { index, .. }) => Some(Item::Body(index)),
+        Some(PointerTarget::Mark(item) | PointerTarget::Arrow(item) | PointerTarget::Body { item, .. }) => {
+            Some(item)
+        }
         _ => None,
     };
     if cx.view.is_auditing {
@@ -359,7 +359,7 @@ fn notes(ui: &Ui, cx: &mut Cx<'_>, viewport: &Viewport, scene_view: &SceneView) 
         (over.filter(|_| cx.maps.kind.is_none()), pointer, Popup::is_any_open(ui.ctx()))
     {
         if rest >= REST {
-            let name = item_name(cx.texts, scene, item);
+            let name = item_name(cx.texts, cx.editor.edited(), item);
             let text = match viewport.pointer_tool.over {
                 Some(PointerTarget::Arrow(_)) => {
                     cx.texts.with("viewport-out-of-view", &[("name", name.into_owned().into())])

@@ -2,7 +2,7 @@
 
 use catoptric_editor::navigate::{self, ViewSide};
 use catoptric_editor::{Label, bounds};
-use catoptric_scene::Camera;
+use catoptric_scene::{Camera, ScenePart};
 
 use crate::shell::studio::Studio;
 
@@ -40,7 +40,8 @@ fn glide_from(studio: &mut Studio, before: Camera) {
 /// Brings the selected or all bodies into view.
 pub(crate) fn frame(studio: &mut Studio, all: bool) {
     let scene = studio.editor.scene();
-    let selected = if all { None } else { bounds::ball_of_selection(scene, studio.editor.selection()) };
+    let parts: Vec<ScenePart> = studio.editor.selected_parts().collect();
+    let selected = if all { None } else { bounds::ball_of_parts(scene, &parts) };
     let Some(ball) = selected.or_else(|| bounds::ball_of_scene(scene)) else { return };
     let camera = studio.view.camera(scene);
     let camera = navigate::frame(&camera, ball.center, ball.radius, studio.settings.picture_aspect());

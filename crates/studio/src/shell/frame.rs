@@ -3,7 +3,7 @@
 use catoptric_editor::Editor;
 use catoptric_live::{Live, Request};
 use catoptric_platform::time::{Duration, Instant};
-use catoptric_scene::Scene;
+use catoptric_scene::{Scene, ScenePart};
 use egui::{CentralPanel, Context, Frame, Panel, SurrenderFocusOn, Ui};
 use egui_tiles::Tree;
 
@@ -206,8 +206,11 @@ impl Studio {
         request.moving = self.view.is_moving || self.editor.is_in_gesture();
         request.samples = self.settings.viewport_samples;
         request.development = self.view.development;
-        request.outline = self.editor.selection().bodies().collect();
-        request.hover = self.view.hovered_body;
+        request.outline = self.editor.selected_bodies().collect();
+        request.hover = self.view.hovered_body.and_then(|body| match self.editor.edited().part(body)? {
+            ScenePart::Body(index) => Some(index),
+            _ => None,
+        });
         request.grid = self.settings.shows_grid.then(catoptric_live::GridSpec::default);
         request.paused = self.view.is_rendering || self.panes.compare.is_running();
         if self.view.is_measuring {

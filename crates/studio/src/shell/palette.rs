@@ -86,7 +86,7 @@ fn field_id() -> Id {
 fn can(situation: CommandContext<'_>, what: &PaletteAction) -> bool {
     match what {
         PaletteAction::Run(command) => situation.can(command),
-        PaletteAction::Select(item) => item.is_in(situation.editor.scene()),
+        PaletteAction::Select(item) => situation.editor.edited().contains(*item),
     }
 }
 

@@ -190,7 +190,7 @@ fn toggle(studio: &mut Studio, pane: Pane) {
 fn rename(studio: &mut Studio) {
     let Some(item) = studio.editor.selection().primary() else { return };
     layout::set_visible(&mut studio.layout, Pane::Outliner, true);
-    studio.panes.outliner.rename(studio.editor.scene(), item);
+    studio.panes.outliner.rename(studio.editor.edited(), item);
 }
 
 /// Does an action; a notice gives the reason if it cannot be done.

@@ -255,7 +255,7 @@ impl Studio {
     pub(crate) fn shown(&self) -> DisplayContent {
         match self.view.shows {
             DisplayContent::UnfoldedCube(_) => {
-                DisplayContent::UnfoldedCube(self.editor.selection().bodies().next())
+                DisplayContent::UnfoldedCube(self.editor.selected_bodies().next())
             }
             shows => shows,
         }

@@ -145,10 +145,9 @@ impl CommandContext<'_> {
     }
 
     fn can_look(&self, act: CameraCommand) -> bool {
-        let selection = self.editor.selection();
         match act {
             CameraCommand::FrameSelection => {
-                selection.bodies().next().or(selection.lights().next()).is_some()
+                self.editor.selection().iter().any(|item| matches!(item, Item::Body(_) | Item::Light(_)))
             }
             CameraCommand::FrameAll => !self.editor.scene().bodies.is_empty(),
             CameraCommand::FromView => self.view.free_camera.is_some(),

@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use catoptric_editor::{Editor, Item};
+use catoptric_editor::Editor;
 use catoptric_lab::exact::{ExactAnswers, answers_for};
-use catoptric_scene::{Camera, Scene};
+use catoptric_scene::{Camera, Scene, ScenePart};
 use egui::Context;
 
 use crate::base::latest::Latest;
@@ -55,8 +55,8 @@ impl ExactState {
 
 /// The body that is asked about.
 pub(crate) fn body_of(editor: &Editor) -> Option<usize> {
-    match editor.selection().primary() {
-        Some(Item::Body(body)) => Some(body),
+    match editor.primary_part() {
+        Some(ScenePart::Body(body)) => Some(body),
         _ => None,
     }
 }

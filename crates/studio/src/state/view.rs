@@ -1,5 +1,6 @@
 //! The state of the view, which is neither part of the scene nor saved.
 
+use catoptric_editor::Item;
 use catoptric_editor::navigate::CachedCameraRange;
 use catoptric_live::DisplayContent;
 use catoptric_picture::Development;
@@ -31,7 +32,7 @@ pub(crate) struct ViewState {
     /// Exposure and tone curve of the viewport.
     pub(crate) development: Development,
     /// The body under the pointer, in the picture or in the outliner.
-    pub(crate) hovered_body: Option<usize>,
+    pub(crate) hovered_body: Option<Item>,
     /// The point of a body under the pointer in the picture.
     pub(crate) seen: Option<ProjectedPoint>,
     /// Set by whatever is being dragged, flown or turned in this frame: the picture is then traced coarsely, and the

@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use catoptric_editor::{Action, Item};
+use catoptric_editor::Action;
+use catoptric_scene::ScenePart;
 use catoptric_studio::{
     CameraCommand, Command, CommandGroup, Language, Pane, StartDocument, Studio, Texts, Theme, Tool,
     ToolCommand, WindowCommand,
@@ -80,7 +81,7 @@ fn the_theme_switch_is_a_button_in_the_bar() {
 fn menus_tell_what_they_undo_and_redo() {
     let mut harness = studio();
     settle(&mut harness);
-    harness.state_mut().editor_mut().select(Item::Body(1));
+    harness.state_mut().editor_mut().select_parts([ScenePart::Body(1)]);
     choose(&mut harness, "Edit", "Duplicate");
     assert_eq!(bodies(&harness), 6);
     choose(&mut harness, "Edit", "Undo: Duplicate “sphere”");
@@ -130,7 +131,7 @@ fn a_narrow_window_folds_the_menus_into_one() {
 fn keys_edit_the_document() {
     let mut harness = studio();
     settle(&mut harness);
-    harness.state_mut().editor_mut().select(Item::Body(1));
+    harness.state_mut().editor_mut().select_parts([ScenePart::Body(1)]);
     press(&mut harness, Modifiers::COMMAND, Key::D);
     assert_eq!(bodies(&harness), 6);
     press(&mut harness, Modifiers::NONE, Key::Delete);
@@ -152,7 +153,7 @@ fn keys_edit_the_document() {
 fn keys_do_nothing_while_a_name_is_typed() {
     let mut harness = studio();
     settle(&mut harness);
-    harness.state_mut().editor_mut().select(Item::Body(1));
+    harness.state_mut().editor_mut().select_parts([ScenePart::Body(1)]);
     harness.get_by_label("Filter by name").focus();
     settle(&mut harness);
     for key in [Key::Delete, Key::H, Key::L, Key::G, Key::End, Key::Num5] {
@@ -168,7 +169,7 @@ fn keys_do_nothing_while_a_name_is_typed() {
 fn keys_do_nothing_behind_a_dialog() {
     let mut harness = studio();
     settle(&mut harness);
-    harness.state_mut().editor_mut().select(Item::Body(1));
+    harness.state_mut().editor_mut().select_parts([ScenePart::Body(1)]);
     press(&mut harness, Modifiers::NONE, Key::F1);
     assert!(harness.query_by_label("Mouse in the picture").is_some());
     press(&mut harness, Modifiers::NONE, Key::Delete);
@@ -184,7 +185,7 @@ fn keys_do_nothing_behind_a_dialog() {
 fn bodies_go_through_the_clipboard_as_text() {
     let mut harness = studio();
     settle(&mut harness);
-    harness.state_mut().editor_mut().select(Item::Body(1));
+    harness.state_mut().editor_mut().select_parts([ScenePart::Body(1)]);
     harness.event(Event::Copy);
     harness.step();
     let commands = harness.output().platform_output.commands.clone();
@@ -224,7 +225,7 @@ fn a_text_that_is_no_scene_is_refused_with_a_notice() {
 fn paste_chosen_in_the_palette_takes_the_text_that_comes_later() {
     let mut harness = studio();
     settle(&mut harness);
-    harness.state_mut().editor_mut().select(Item::Body(1));
+    harness.state_mut().editor_mut().select_parts([ScenePart::Body(1)]);
     let text = harness.state().editor().copy().unwrap();
     run_by_palette(&mut harness, "Paste");
     harness.event(Event::Paste(text));
@@ -273,7 +274,7 @@ fn the_palette_finds_commands_in_both_languages_examples_and_bodies() {
     run_by_palette(&mut harness, "cylinder");
     let scene = harness.state().editor().scene();
     let cylinder = scene.bodies.iter().position(|body| body.name == "cylinder").unwrap();
-    assert_eq!(harness.state().editor().selection().primary(), Some(Item::Body(cylinder)));
+    assert_eq!(harness.state().editor().primary_part(), Some(ScenePart::Body(cylinder)));
     open_palette(&mut harness);
     harness.event(Event::Text("sphereflake".to_owned()));
     settle(&mut harness);
@@ -314,7 +315,7 @@ fn every_command_runs(language: Language) {
             continue;
         }
         harness.state_mut().run(WindowCommand::Language(language));
-        harness.state_mut().editor_mut().select(Item::Body(0));
+        harness.state_mut().editor_mut().select_parts([ScenePart::Body(0)]);
         settle(&mut harness);
         let name = harness.state().texts().get(command.look().unwrap().key).to_owned();
         run_by_palette(&mut harness, &name);
@@ -359,7 +360,7 @@ fn a_click_in_the_history_goes_to_that_step() {
     let mut harness = studio();
     settle(&mut harness);
     for body in 1..4 {
-        harness.state_mut().editor_mut().select(Item::Body(body));
+        harness.state_mut().editor_mut().select_parts([ScenePart::Body(body)]);
         harness.state_mut().editor_mut().apply(Action::Duplicate).unwrap();
     }
     harness.state_mut().run(WindowCommand::TogglePane(Pane::History));

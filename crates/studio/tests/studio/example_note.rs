@@ -30,7 +30,7 @@ fn an_example_says_what_to_notice_until_the_note_is_closed_and_again_when_asked(
     harness.run_steps(3);
     assert!(!has(&harness, NOTE));
     // It is remembered for the document, whatever is done to it.
-    harness.state_mut().editor_mut().select(catoptric_editor::Item::Body(1));
+    harness.state_mut().editor_mut().select_parts([catoptric_scene::ScenePart::Body(1)]);
     run(&mut harness, Command::Edit(catoptric_editor::Action::Duplicate));
     assert!(!has(&harness, NOTE));
     run(&mut harness, HelpCommand::ExampleNote);

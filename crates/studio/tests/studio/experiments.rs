@@ -176,7 +176,7 @@ fn a_comparison_follows_the_scene_and_reads_files() {
     harness.run_steps(4);
     let drawn = compared(&harness);
     // A body goes: other pictures are compared.
-    harness.state_mut().editor_mut().select(catoptric_editor::Item::Body(1));
+    harness.state_mut().editor_mut().select_parts([catoptric_scene::ScenePart::Body(1)]);
     run(&mut harness, Command::Edit(catoptric_editor::Action::Delete));
     let deadline = Instant::now() + Duration::from_secs(60);
     while compared(&harness) == drawn {
@@ -231,7 +231,7 @@ fn times_are_measured_while_the_picture_waits_and_saved() {
         assert!(harness.state().is_measuring());
         // The scene may be edited meanwhile; its picture comes afterwards.
         let before = harness.state().live().latest().unwrap().revision;
-        harness.state_mut().editor_mut().select(catoptric_editor::Item::Body(1));
+        harness.state_mut().editor_mut().select_parts([catoptric_scene::ScenePart::Body(1)]);
         run(&mut harness, Command::Edit(catoptric_editor::Action::Delete));
         if harness.state().is_measuring() {
             assert_eq!(harness.state().live().latest().unwrap().revision, before);

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use catoptric_editor::{Action, Item, Label, Selection};
+use catoptric_editor::{Action, Label};
 use catoptric_scene::{
     Attenuation, Body, Checker, Color, Conductor, Dielectric, Falloff, Material, MaterialChoice, MetalOptics,
-    Model, Pattern, Phong, Shape, Sky, Surroundings,
+    Model, Pattern, Phong, ScenePart, Shape, Sky, Surroundings,
 };
 use catoptric_studio::host::Host as _;
 use catoptric_studio::{Command, Pane, StartDocument, Studio, WindowCommand};
@@ -15,6 +15,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use glam::DVec3;
 
+use crate::kit::item_at;
 use crate::kit::{TestHost, studio_with};
 
 type Window = Harness<'static, Studio>;
@@ -34,28 +35,28 @@ fn open(language: &str) -> Window {
 /// A change of the scene that shows other rows, and what is selected then.
 struct Case {
     name: &'static str,
-    change: fn(&mut Window) -> Vec<Item>,
+    change: fn(&mut Window) -> Vec<ScenePart>,
 }
 
 fn body(window: &Window, name: &str) -> usize {
     window.state().editor().scene().bodies.iter().position(|body| body.name == name).unwrap()
 }
 
-fn change_sphere(window: &mut Window, change: impl Fn(&mut Body)) -> Vec<Item> {
+fn change_sphere(window: &mut Window, change: impl Fn(&mut Body)) -> Vec<ScenePart> {
     let index = body(window, "sphere");
     let editor = window.state_mut().editor_mut();
-    editor.select(Item::Body(index));
+    editor.select_parts([ScenePart::Body(index)]);
     let _ = editor.apply(Action::MakeMaterialUnique);
     editor.change_body(index, Label::new("edit-shape", ""), change).unwrap();
     editor.settle();
-    vec![Item::Body(index)]
+    vec![ScenePart::Body(index)]
 }
 
-fn shaped(window: &mut Window, shape: Shape) -> Vec<Item> {
+fn shaped(window: &mut Window, shape: Shape) -> Vec<ScenePart> {
     change_sphere(window, |body| body.shape = shape)
 }
 
-fn made_of(window: &mut Window, change: impl Fn(&mut Material)) -> Vec<Item> {
+fn made_of(window: &mut Window, change: impl Fn(&mut Material)) -> Vec<ScenePart> {
     change_sphere(window, |body| {
         let mut material = Material::default();
         change(&mut material);
@@ -63,12 +64,12 @@ fn made_of(window: &mut Window, change: impl Fn(&mut Material)) -> Vec<Item> {
     })
 }
 
-fn around(window: &mut Window, surroundings: &Surroundings) -> Vec<Item> {
+fn around(window: &mut Window, surroundings: &Surroundings) -> Vec<ScenePart> {
     let editor = window.state_mut().editor_mut();
     let label = Label::new("edit-surroundings", "");
     editor.change_environment(label, |own| own.surroundings = surroundings.clone()).unwrap();
     editor.settle();
-    vec![Item::Environment]
+    vec![ScenePart::Environment]
 }
 
 const CASES: [Case; 19] = [
@@ -80,14 +81,15 @@ const CASES: [Case; 19] = [
     Case { name: "plane", change: |window| shaped(window, Shape::Plane) },
     Case {
         name: "several",
-        change: |window| vec![Item::Body(body(window, "sphere")), Item::Body(body(window, "cube"))],
+        change: |window| vec![ScenePart::Body(body(window, "sphere")), ScenePart::Body(body(window, "cube"))],
     },
     Case {
         name: "locked",
         change: |window| {
-            let item = Item::Body(body(window, "cube"));
+            let part = ScenePart::Body(body(window, "cube"));
+            let item = item_at(window.state(), part);
             window.state_mut().editor_mut().apply(Action::SetLocked { item, locked: true }).unwrap();
-            vec![item]
+            vec![part]
         },
     },
     Case {
@@ -140,18 +142,17 @@ const CASES: [Case; 19] = [
             let far = |light: &mut catoptric_scene::Light| light.falloff = Falloff::Linear { constant: 1.25 };
             editor.change_lights([0], Label::new("edit-falloff", ""), |_, light| far(light)).unwrap();
             editor.settle();
-            vec![Item::Light(0)]
+            vec![ScenePart::Light(0)]
         },
     },
-    Case { name: "material", change: |_| vec![Item::Material(0)] },
+    Case { name: "material", change: |_| vec![ScenePart::Material(0)] },
     Case { name: "sky", change: |window| around(window, &Surroundings::Sky(Sky::default())) },
-    Case { name: "tracing", change: |_| vec![Item::Tracing] },
+    Case { name: "tracing", change: |_| vec![ScenePart::Tracing] },
 ];
 
-fn show(window: &mut Window, size: [f32; 2], zoom: f32, items: &[Item]) {
+fn show(window: &mut Window, size: [f32; 2], zoom: f32, items: &[ScenePart]) {
     window.set_size(vec2(size[0], size[1]) / zoom);
-    let selection: Selection = items.iter().copied().collect();
-    window.state_mut().editor_mut().select(selection);
+    window.state_mut().editor_mut().select_parts(items.iter().copied());
     window.run_steps(4);
 }
 
@@ -277,10 +278,11 @@ fn long_names_push_nothing_out() {
     let long = "очень длинное имя ".repeat(20);
     let index = body(&window, "sphere");
     let editor = window.state_mut().editor_mut();
-    for item in [Item::Body(index), Item::Light(0), Item::Material(0)] {
+    for part in [ScenePart::Body(index), ScenePart::Light(0), ScenePart::Material(0)] {
+        let item = editor.edited().item(part).unwrap();
         editor.apply(Action::Rename { item, name: long.clone() }).unwrap();
     }
-    for item in [Item::Body(index), Item::Light(0), Item::Material(0)] {
+    for item in [ScenePart::Body(index), ScenePart::Light(0), ScenePart::Material(0)] {
         for size in SIZES {
             for zoom in ZOOMS {
                 show(&mut window, size, zoom, &[item]);

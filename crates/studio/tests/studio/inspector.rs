@@ -2,8 +2,10 @@
 
 use std::sync::Arc;
 
-use catoptric_editor::{Action, Item, Selection};
-use catoptric_scene::{Anchor, Body, Color, Falloff, MaterialChoice, Phong, Projection, Scene, Shape};
+use catoptric_editor::Action;
+use catoptric_scene::{
+    Anchor, Body, Color, Falloff, MaterialChoice, Phong, Projection, Scene, ScenePart, Shape,
+};
 use catoptric_studio::{StartDocument, Studio};
 use egui::{Event, Key, Role, vec2};
 use egui_kittest::Harness;
@@ -23,11 +25,11 @@ mod several;
 type Window = Harness<'static, Studio>;
 
 /// A window so high that no row has to be scrolled to, with `item` of the example selected.
-fn window(example: &str, item: impl Into<Option<Item>>) -> Window {
+fn window(example: &str, item: impl Into<Option<ScenePart>>) -> Window {
     window_in("english", example, item)
 }
 
-fn window_in(language: &str, example: &str, item: impl Into<Option<Item>>) -> Window {
+fn window_in(language: &str, example: &str, item: impl Into<Option<ScenePart>>) -> Window {
     use catoptric_studio::host::Host as _;
     let host = TestHost::new();
     let text = format!(r#"{{"language": "{language}", "is_hint_dismissed": true}}"#);
@@ -39,9 +41,8 @@ fn window_in(language: &str, example: &str, item: impl Into<Option<Item>>) -> Wi
     window
 }
 
-fn select(window: &mut Window, item: impl IntoIterator<Item = Item>) {
-    let selection: Selection = item.into_iter().collect();
-    window.state_mut().editor_mut().select(selection);
+fn select(window: &mut Window, item: impl IntoIterator<Item = ScenePart>) {
+    window.state_mut().editor_mut().select_parts(item);
     window.run_steps(4);
 }
 
@@ -50,8 +51,8 @@ fn scene(window: &Window) -> Arc<Scene> {
 }
 
 /// The index of the body of this name.
-fn body(window: &Window, name: &str) -> Item {
-    Item::Body(scene(window).bodies.iter().position(|body| body.name == name).unwrap())
+fn body(window: &Window, name: &str) -> ScenePart {
+    ScenePart::Body(scene(window).bodies.iter().position(|body| body.name == name).unwrap())
 }
 
 /// Types `text` into the field called `name` and leaves it with Enter.
@@ -107,9 +108,9 @@ fn with_body(shape: Shape) -> Window {
     let mut window = window("four-bodies", None);
     let item = body(&window, "sphere");
     let editor = window.state_mut().editor_mut();
-    editor.select(item);
+    editor.select_parts([item]);
     editor.apply(Action::MakeMaterialUnique).unwrap();
-    let Item::Body(index) = item else { unreachable!() };
+    let ScenePart::Body(index) = item else { unreachable!() };
     editor
         .change_body(index, catoptric_editor::Label::new("edit-shape", ""), |body| body.shape = shape)
         .unwrap();

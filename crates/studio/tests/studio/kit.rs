@@ -6,6 +6,8 @@ use std::sync::mpsc;
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
+use catoptric_editor::Item;
+use catoptric_scene::ScenePart;
 use catoptric_studio::host::{FileAnswer, FileQuestion, Host, PictureClipboard};
 use catoptric_studio::{StartDocument, Studio};
 use egui_kittest::{Harness, HarnessBuilder};
@@ -106,6 +108,11 @@ fn build(builder: HarnessBuilder<Studio>, host: TestHost, start: StartDocument) 
         .with_size([1280.0, 800.0])
         .with_max_steps(64)
         .build_eframe(move |creation| Studio::new(&creation.egui_ctx, &start, Box::new(host)).unwrap())
+}
+
+/// What stands at a place now.
+pub(crate) fn item_at(studio: &Studio, part: ScenePart) -> Item {
+    studio.editor().edited().item(part).unwrap()
 }
 
 /// Steps until `condition` holds; panics with `what` when it does not within a minute.

@@ -72,8 +72,8 @@ fn materials_that_give_more_than_they_get_are_told() {
     let mut harness = example("four-bodies");
     let scene = harness.state().editor().scene().clone();
     let body = scene.bodies.iter().position(|body| scene.material(&body.material).is_some()).unwrap();
-    let item = catoptric_editor::Item::Body(body);
-    harness.state_mut().editor_mut().select(item);
+    let part = catoptric_scene::ScenePart::Body(body);
+    harness.state_mut().editor_mut().select_parts([part]);
     harness.run_steps(3);
     let is_told =
         |words: &[String]| words.iter().any(|words| words.starts_with("The highlight sends out more"));
@@ -130,7 +130,7 @@ fn every_model_is_warned_of_in_its_own_words() {
         (bright(Model::Coated), "Under a coat, a color above 1 counts as 1.", "Под лаком цвет больше 1"),
     ];
     let mut harness = example("four-bodies");
-    harness.state_mut().editor_mut().select(catoptric_editor::Item::Body(1));
+    harness.state_mut().editor_mut().select_parts([catoptric_scene::ScenePart::Body(1)]);
     for (material, english, russian) in cases {
         let give = |harness: &mut Harness<'static, Studio>, material| {
             let choice = MaterialChoice::Inline(Box::new(material));
@@ -159,7 +159,7 @@ fn exact_answers_stand_over_the_picture() {
     let mut harness = example("ring-of-images");
     let scene = harness.state().editor().scene().clone();
     let body = scene.bodies.iter().position(|body| body.name == "red ball").unwrap();
-    harness.state_mut().editor_mut().select(catoptric_editor::Item::Body(body));
+    harness.state_mut().editor_mut().select_parts([catoptric_scene::ScenePart::Body(body)]);
     harness.state_mut().run(DisplayCommand::ToggleExact);
     let image = wait_for(&mut harness, "Image in ");
     assert!(image.contains("\ntracer: off by "), "{image}");

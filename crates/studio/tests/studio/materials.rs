@@ -1,7 +1,6 @@
 //! The browser of materials: pictures, keys, and what a click gives.
 
-use catoptric_editor::{Item, Selection};
-use catoptric_scene::{Body, Conductor, Material, MaterialChoice, MetalOptics, Model};
+use catoptric_scene::{Body, Conductor, Material, MaterialChoice, MetalOptics, Model, ScenePart};
 use catoptric_studio::{Language, Pane, Studio, WindowCommand};
 use egui::{Event, Key, Modifiers, Role};
 use egui_kittest::Harness;
@@ -17,7 +16,7 @@ const CUBE: usize = 2;
 const BROWSE: &str = "Material browser";
 
 /// The panel over the example of four bodies, with these selected.
-fn open(selected: &[Item]) -> Kit {
+fn open(selected: &[ScenePart]) -> Kit {
     let mut harness = studio();
     harness.run_steps(3);
     select(&mut harness, selected);
@@ -25,8 +24,8 @@ fn open(selected: &[Item]) -> Kit {
     harness
 }
 
-fn select(harness: &mut Kit, items: &[Item]) {
-    harness.state_mut().editor_mut().select(items.iter().copied().collect::<Selection>());
+fn select(harness: &mut Kit, items: &[ScenePart]) {
+    harness.state_mut().editor_mut().select_parts(items.iter().copied());
     harness.run_steps(3);
 }
 
@@ -65,7 +64,7 @@ fn is_gold(choice: &MaterialChoice) -> bool {
 
 #[test]
 fn a_preset_is_found_and_given_as_one_step() {
-    let mut harness = open(&[Item::Body(SPHERE), Item::Body(CUBE)]);
+    let mut harness = open(&[ScenePart::Body(SPHERE), ScenePart::Body(CUBE)]);
     harness.get_by_label("A click gives it to 2 selected bodies.");
     find(&mut harness, "gold");
     assert!(harness.query_by_role_and_label(Role::Button, "Diamond").is_none());
@@ -86,7 +85,7 @@ fn a_preset_is_found_and_given_as_one_step() {
 
 #[test]
 fn a_material_of_the_scene_is_shared() {
-    let mut harness = open(&[Item::Body(SPHERE)]);
+    let mut harness = open(&[ScenePart::Body(SPHERE)]);
     harness.get_by_label("In this scene");
     harness.get_by_label("A click gives it to “sphere”.");
     click(&mut harness, "blue");
@@ -113,7 +112,7 @@ fn with_nothing_selected_it_is_told_what_to_do() {
 
 #[test]
 fn a_selected_material_becomes_like_a_preset() {
-    let mut harness = open(&[Item::Material(1)]);
+    let mut harness = open(&[ScenePart::Material(1)]);
     let before = harness.state().editor().scene().clone();
     harness.get_by_label("A click makes “red” like it, on all bodies of this material.");
     find(&mut harness, "terracotta");
@@ -126,7 +125,7 @@ fn a_selected_material_becomes_like_a_preset() {
 
 #[test]
 fn keys_walk_choose_and_close() {
-    let mut harness = open(&[Item::Body(SPHERE)]);
+    let mut harness = open(&[ScenePart::Body(SPHERE)]);
     assert!(is_open(&harness));
     for key in [Key::ArrowRight, Key::ArrowRight, Key::Enter] {
         press(&mut harness, key);

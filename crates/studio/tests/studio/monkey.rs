@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use catoptric_editor::{Action, Item, Label, NewBodyPlacement};
-use catoptric_scene::{Example, MaterialChoice, ShapeKind};
+use catoptric_scene::{Example, MaterialChoice, ScenePart, ShapeKind};
 use catoptric_studio::{CameraCommand, Command, FileCommand, StartDocument, Studio};
 use egui::{
     Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, TouchPhase, accesskit,
@@ -319,8 +319,10 @@ impl Monkey {
     }
 
     fn action(&mut self) -> Action {
-        let item =
-            *self.dice.one(&[Item::Camera, Item::Body(0), Item::Body(7), Item::Light(0), Item::Material(1)]);
+        let edited = self.harness.state().editor().edited();
+        let parts = [ScenePart::Body(0), ScenePart::Body(7), ScenePart::Light(0), ScenePart::Material(1)];
+        let items = parts.map(|part| edited.item(part).unwrap_or(Item::Camera));
+        let item = *self.dice.one(&items);
         let name = (*self.dice.one(&["", "a", "шар", "a\"b\n", "sphere 2"])).to_owned();
         match self.dice.below(22) {
             0 => {

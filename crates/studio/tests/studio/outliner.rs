@@ -1,7 +1,6 @@
 //! The panel of everything in the scene.
 
-use catoptric_editor::Item;
-use catoptric_scene::{Body, Scene};
+use catoptric_scene::{Body, Scene, ScenePart};
 use catoptric_studio::{FileCommand, SelectionCommand, Studio, WindowCommand};
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, Pos2};
@@ -28,7 +27,7 @@ fn click(harness: &mut Kit, name: &str, modifiers: Modifiers) {
 
 fn selected(harness: &Kit) -> Vec<String> {
     let editor = harness.state().editor();
-    editor.selection().iter().map(|item| item.name(editor.scene()).to_owned()).collect()
+    editor.selected_parts().map(|part| part.name(editor.scene()).to_owned()).collect()
 }
 
 fn names(harness: &Kit) -> Vec<String> {
@@ -50,7 +49,7 @@ fn rows_are_selected_alone_together_and_in_ranges() {
     click(&mut harness, "sphere", Modifiers::SHIFT);
     assert_eq!(selected(&harness), ["cone", "cylinder", "cube", "sphere"]);
     click(&mut harness, "Camera", Modifiers::NONE);
-    assert_eq!(harness.state().editor().selection().primary(), Some(Item::Camera));
+    assert_eq!(harness.state().editor().primary_part(), Some(ScenePart::Camera));
 }
 
 #[test]
@@ -141,7 +140,7 @@ fn renaming_opens_a_folded_list_and_a_hidden_panel() {
     settle(&mut harness);
     row(&harness, "Bodies").click();
     settle(&mut harness);
-    harness.state_mut().editor_mut().select(Item::Body(1));
+    harness.state_mut().editor_mut().select_parts([ScenePart::Body(1)]);
     harness.state_mut().run(WindowCommand::TogglePane(catoptric_studio::Pane::Outliner));
     settle(&mut harness);
     harness.state_mut().run(SelectionCommand::Rename);
@@ -273,7 +272,7 @@ fn ten_thousand_rows_are_as_quick_as_ten_and_the_selected_one_comes_into_view() 
     let rows = harness.get_all_by_role(Role::TreeItem).count();
     assert!((10..80).contains(&rows), "{rows} rows are drawn");
     assert!(harness.query_by_role_and_label(Role::TreeItem, "ball 9000").is_none());
-    harness.state_mut().editor_mut().select(Item::Body(9000));
+    harness.state_mut().editor_mut().select_parts([ScenePart::Body(9000)]);
     harness.run_steps(60);
     let rect = row(&harness, "ball 9000").rect();
     assert!(rect.min.y > 60.0 && rect.max.y < 775.0, "{rect:?}");

@@ -3,7 +3,7 @@
 use std::io::Write as _;
 use std::panic::catch_unwind;
 
-use catoptric_editor::Item;
+use catoptric_scene::ScenePart;
 use catoptric_studio::host::Host as _;
 use catoptric_studio::{DisplayCommand, HelpCommand, StartDocument, Studio, Theme, WindowCommand};
 use eframe::egui_wgpu::{RenderState, RendererOptions};
@@ -69,9 +69,9 @@ fn a_window_drawn_in_parts_looks_as_egui_draws_it() {
     fill_atlas(&ours);
     type Step = fn(&mut Studio);
     let steps: [(&str, Step); 6] = [
-        ("the camera", |studio| studio.editor_mut().select(Item::Camera)),
-        ("a body selected", |studio| studio.editor_mut().select(Item::Body(1))),
-        ("another one", |studio| studio.editor_mut().select(Item::Body(3))),
+        ("the camera", |studio| studio.editor_mut().select_parts([ScenePart::Camera])),
+        ("a body selected", |studio| studio.editor_mut().select_parts([ScenePart::Body(1)])),
+        ("another one", |studio| studio.editor_mut().select_parts([ScenePart::Body(3)])),
         ("a dialog over it", |studio| studio.run(HelpCommand::Terms)),
         ("other colors", |studio| studio.run(WindowCommand::Theme(Theme::Light))),
         ("no grid", |studio| studio.run(DisplayCommand::ToggleGrid)),

@@ -8,8 +8,7 @@ mod held_keys;
 mod looking;
 mod placing;
 
-use catoptric_editor::{Item, Selection};
-use catoptric_scene::{Anchor, Scene};
+use catoptric_scene::{Anchor, Scene, ScenePart};
 use catoptric_studio::{Command, Studio};
 use egui::{Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, TouchPhase, Vec2};
 use egui_kittest::Harness;
@@ -78,14 +77,14 @@ impl Hand {
         self.settle();
     }
 
-    fn select(&mut self, items: &[Item]) {
-        self.harness.state_mut().editor_mut().select(items.iter().copied().collect::<Selection>());
+    fn select(&mut self, items: &[ScenePart]) {
+        self.harness.state_mut().editor_mut().select_parts(items.iter().copied());
         self.harness.step();
         self.settle();
     }
 
-    fn selected(&self) -> Vec<Item> {
-        self.harness.state().editor().selection().iter().collect()
+    fn selected(&self) -> Vec<ScenePart> {
+        self.harness.state().editor().selected_parts().collect()
     }
 
     fn undo(&mut self) {

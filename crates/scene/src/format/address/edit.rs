@@ -11,7 +11,6 @@ use crate::body::Body;
 use crate::camera::Camera;
 use crate::environment::Environment;
 use crate::format::build::SceneBuilder;
-use crate::format::check::ScenePart;
 use crate::format::diagnostic::{Diagnostic, Diagnostics, Severity};
 use crate::format::message::{Collection, Message};
 use crate::format::quote::quoted;
@@ -23,6 +22,7 @@ use crate::format::tree::{Schema, Table, TableOrigin};
 use crate::image::Image;
 use crate::light::Light;
 use crate::material::Material;
+use crate::part::ScenePart;
 use crate::scene_images::HasImages;
 use crate::{MaterialChoice, Tracing};
 
@@ -95,8 +95,8 @@ pub(super) fn apply(scene: &mut Scene, edits: &[SceneEdit]) -> Result<(), Addres
 
 /// Makes changes of one part, which the first address names too.
 fn change_part(scene: &mut Scene, addresses: &[Address], edits: &[SceneEdit]) -> Result<(), AddressError> {
-    let Some(part) = addresses.first().map(|address| address.part.clone()) else { return Ok(()) };
-    let Some(record) = record(scene, &part) else { return Ok(()) };
+    let Some(part) = addresses.first().map(|address| address.part) else { return Ok(()) };
+    let Some(record) = record(scene, part) else { return Ok(()) };
     let mut lines = Vec::new();
     add_lines(&record, &mut Vec::new(), &mut lines);
     for (number, (address, edit)) in addresses.iter().zip(edits).enumerate() {
@@ -104,7 +104,7 @@ fn change_part(scene: &mut Scene, addresses: &[Address], edits: &[SceneEdit]) ->
             .map_err(|found| AddressError::new(&edit.path, found))?;
     }
     let table = record.table.0;
-    let element = Element::read(&part, table, &lines).and_then(|element| element.put_into(scene, &part));
+    let element = Element::read(part, table, &lines).and_then(|element| element.put_into(scene, part));
     element.map_err(|(found, number)| {
         let edit = number.and_then(|number| edits.get(number)).or(edits.last());
         AddressError::new(&edit.map(|edit| edit.path.to_string()).unwrap_or_default(), found)
@@ -202,7 +202,7 @@ type Fault = (Box<Diagnostic>, Option<usize>);
 
 impl Element {
     /// Reads lines by the rules of scene files.
-    fn read(part: &ScenePart, spec: &'static TableSpec, lines: &[ElementLine]) -> Result<Self, Fault> {
+    fn read(part: ScenePart, spec: &'static TableSpec, lines: &[ElementLine]) -> Result<Self, Fault> {
         let mut text = String::new();
         let mut ends = Vec::with_capacity(lines.len());
         for line in lines {
@@ -230,26 +230,26 @@ impl Element {
     }
 
     /// Puts the part in the place of the old one, unless its names are wrong.
-    fn put_into(self, scene: &mut Scene, part: &ScenePart) -> Result<(), Fault> {
+    fn put_into(self, scene: &mut Scene, part: ScenePart) -> Result<(), Fault> {
         match (self, part) {
             (Self::Camera(camera), _) => scene.camera = camera,
             (Self::Environment(new), _) => replace(&mut scene.environment, new),
             (Self::Tracing(tracing), _) => scene.tracing = tracing,
             (Self::Material(new), ScenePart::Material(index)) => {
-                if let Some(named) = scene.materials.get_mut(*index) {
+                if let Some(named) = scene.materials.get_mut(index) {
                     replace(&mut named.material, new);
                 }
             }
             (Self::Light(new), ScenePart::Light(index)) => {
                 let names = scene.lights.iter().map(|light| light.name.as_str());
-                check_name(Collection::Lights, names, *index, &new.name)?;
-                if let Some(light) = scene.lights.get_mut(*index) {
+                check_name(Collection::Lights, names, index, &new.name)?;
+                if let Some(light) = scene.lights.get_mut(index) {
                     *light = new;
                 }
             }
             (Self::Body(new), ScenePart::Body(index)) => {
-                check_body(scene, *index, &new)?;
-                if let Some(body) = scene.bodies.get_mut(*index) {
+                check_body(scene, index, &new)?;
+                if let Some(body) = scene.bodies.get_mut(index) {
                     replace(body, new);
                 }
             }

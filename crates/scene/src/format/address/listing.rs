@@ -4,9 +4,9 @@ use super::path::{PathSegment, ScenePath};
 use super::resolve::record;
 use super::value::SceneValue;
 use crate::Scene;
-use crate::format::check::ScenePart;
 use crate::format::record::{Datum, Record};
 use crate::format::spec::{KeySpec, Kind};
+use crate::part::ScenePart;
 
 /// An address of a scene, what can stand there, and what does.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,33 +27,28 @@ pub(super) fn keys(scene: &Scene) -> impl Iterator<Item = SceneKey> + '_ {
     let bodies = (0..scene.bodies.len()).map(ScenePart::Body);
     parts.chain(materials).chain(lights).chain(bodies).flat_map(|part| {
         let mut found = Vec::new();
-        if let Some(record) = record(scene, &part) {
-            add(&record, &segments(scene, &part), &mut found);
+        if let Some(record) = record(scene, part) {
+            add(&record, &segments(scene, part), &mut found);
         }
         found
     })
 }
 
 /// The beginning of the addresses of a part.
-fn segments(scene: &Scene, part: &ScenePart) -> Vec<PathSegment> {
-    let element = |list: &str, name: &str, index: usize| {
-        let number = || PathSegment::key(&index.to_string());
-        vec![PathSegment::key(list), if name.is_empty() { number() } else { PathSegment::name(name) }]
+fn segments(scene: &Scene, part: ScenePart) -> Vec<PathSegment> {
+    let element = |list: &str, index: usize| {
+        let name = part.name(scene);
+        let element =
+            if name.is_empty() { PathSegment::key(&index.to_string()) } else { PathSegment::name(name) };
+        vec![PathSegment::key(list), element]
     };
-    match *part {
+    match part {
         ScenePart::Camera => vec![PathSegment::key("camera")],
         ScenePart::Environment => vec![PathSegment::key("environment")],
         ScenePart::Tracing => vec![PathSegment::key("tracing")],
-        ScenePart::Material(index) => {
-            let name = scene.materials.get(index).map(|named| named.name.as_str());
-            vec![PathSegment::key("materials"), PathSegment::name(name.unwrap_or_default())]
-        }
-        ScenePart::Light(index) => {
-            element("lights", scene.lights.get(index).map_or("", |light| &light.name), index)
-        }
-        ScenePart::Body(index) => {
-            element("bodies", scene.bodies.get(index).map_or("", |body| &body.name), index)
-        }
+        ScenePart::Material(index) => element("materials", index),
+        ScenePart::Light(index) => element("lights", index),
+        ScenePart::Body(index) => element("bodies", index),
     }
 }
 

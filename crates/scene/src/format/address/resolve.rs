@@ -6,7 +6,6 @@ use super::error::refused;
 use super::path::{PathSegment, ScenePath};
 use super::value::SceneValue;
 use crate::Scene;
-use crate::format::check::ScenePart;
 use crate::format::diagnostic::Diagnostic;
 use crate::format::keys;
 use crate::format::message::{Conjunction, Enumeration, KeyMeaning, Message};
@@ -19,6 +18,7 @@ use crate::format::toml::{Key, Span};
 use crate::format::tree::unknown_key;
 use crate::format::typed::{inapplicable, key_help};
 use crate::material::MaterialChoice;
+use crate::part::ScenePart;
 
 /// What is wrong with an address.
 type Refusal = Box<Diagnostic>;
@@ -49,7 +49,7 @@ impl Address {
             match key.kind {
                 Kind::Table(inner) | Kind::NameOrTable(inner) if !rest.as_slice().is_empty() => {
                     if let Kind::NameOrTable(_) = key.kind {
-                        check_is_own(scene, &part)?;
+                        check_is_own(scene, part)?;
                     }
                     table = inner;
                     tables.push(key);
@@ -73,7 +73,7 @@ impl Address {
         if let Kind::Table(table) = key.kind {
             return Err(is_table(quoted(key.name), table));
         }
-        let record = record(scene, &self.part);
+        let record = record(scene, self.part);
         let Some(record) = record.as_ref().and_then(|record| self.inner(record)) else {
             // Only a table that is absent has no record.
             return Err(absent(self.tables.last().unwrap_or(&key)));
@@ -103,8 +103,8 @@ impl Address {
 }
 
 /// The keys and values of a part, if there is one.
-pub(super) fn record<'a>(scene: &'a Scene, part: &ScenePart) -> Option<Record<'a>> {
-    Some(match *part {
+pub(super) fn record<'a>(scene: &'a Scene, part: ScenePart) -> Option<Record<'a>> {
+    Some(match part {
         ScenePart::Camera => record::camera(&scene.camera),
         ScenePart::Environment => record::environment(&scene.environment),
         ScenePart::Tracing => record::tracing(&scene.tracing),
@@ -178,8 +178,8 @@ fn place_in_list<'a, I: Iterator<Item = &'a str>>(
 }
 
 /// Refuses keys of the material of a body that shares a named one.
-fn check_is_own(scene: &Scene, part: &ScenePart) -> Result<(), Refusal> {
-    let ScenePart::Body(index) = *part else { return Ok(()) };
+fn check_is_own(scene: &Scene, part: ScenePart) -> Result<(), Refusal> {
+    let ScenePart::Body(index) = part else { return Ok(()) };
     match scene.bodies.get(index).map(|body| &body.material) {
         Some(MaterialChoice::Named(name)) => {
             let finding = refused(Message::MaterialIsShared { name: quoted_value(name) });

@@ -1,8 +1,7 @@
 //! The terms of a ray's light: the formula of the model with the numbers in place, line by line.
 
-use catoptric_editor::Item;
 use catoptric_lab::audit::{Audit, Node};
-use catoptric_scene::Scene;
+use catoptric_scene::{Scene, ScenePart};
 use catoptric_tracer::{
     BranchOutcome, BranchRecord, LightTerm, ReflectionModel, ShadowRecord, SurfaceRecord,
 };
@@ -10,7 +9,7 @@ use glam::{DVec3, Vec3};
 
 use super::numbers::{color, degrees, short, vector};
 use crate::base::texts::Texts;
-use crate::panels::outliner::item_name;
+use crate::panels::outliner::part_name;
 
 /// Surfaces between a point and a light that are named; there may be very many.
 const MOST_NAMED: usize = 4;
@@ -87,7 +86,7 @@ pub(super) fn of_node(texts: &Texts, scene: &Scene, audit: &Audit, node: &Node) 
 
 /// What a body is called.
 pub(super) fn body_name(texts: &Texts, scene: &Scene, body: usize) -> String {
-    item_name(texts, scene, Item::Body(body)).into_owned()
+    part_name(texts, scene, ScenePart::Body(body)).into_owned()
 }
 
 struct AuditLineWriter<'a> {
@@ -289,7 +288,7 @@ impl AuditLineWriter<'_> {
     fn light_name(&self, light: usize) -> String {
         let shining = self.scene.lights.iter().enumerate().filter(|(_, light)| !light.hidden);
         let place = shining.map(|(place, _)| place).nth(light).unwrap_or(light);
-        item_name(self.texts, self.scene, Item::Light(place)).into_owned()
+        part_name(self.texts, self.scene, ScenePart::Light(place)).into_owned()
     }
 
     /// What lies between a point and a light.

@@ -2,9 +2,8 @@
 
 use std::sync::Arc;
 
-use catoptric_editor::Item;
 use catoptric_scene::format::keys;
-use catoptric_scene::{Body, ShapeKind};
+use catoptric_scene::{Body, ScenePart, ShapeKind};
 use egui::{Id, Ui};
 
 use super::sheet::{NumberRow, PropertySheet, RowQuantity, SliderRail, Unit, VectorRow, VectorSpread};
@@ -68,15 +67,15 @@ static SIZE: VectorRow<Body> = VectorRow::<Body>::new(
 /// Draws the values of the selected bodies.
 pub(super) fn bodies_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut InspectorState) {
     let scene = Arc::clone(cx.editor.scene());
-    let selected = cx.editor.selection().bodies().rev().collect();
-    let chosen = header::chosen_ui(ui, cx, Item::Body, selected, "several-bodies");
-    let Some(header::InspectedItems { indices, first, subject, is_free }) = chosen else { return };
+    let selected = cx.editor.selected_bodies().rev().collect();
+    let chosen = header::chosen_ui(ui, cx, ScenePart::Body, selected, "several-bodies");
+    let Some(header::InspectedItems { indices, first, item, subject, is_free }) = chosen else { return };
     let Some(primary) = scene.bodies.get(first) else { return };
     let mut sheet = PropertySheet {
         primary,
         things: indices.iter().filter_map(|&index| scene.bodies.get(index)).collect(),
         subject: subject.clone(),
-        id: Id::unique(("inspector-body", first)),
+        id: Id::unique(("inspector-body", item)),
         is_free,
         apply: &|editor, label, change| {
             // They are changed in the order in which they are given.

@@ -2,10 +2,9 @@
 
 use std::sync::Arc;
 
-use catoptric_editor::Item;
 use catoptric_lab::depth::{DepthBound, DepthMeasure};
 use catoptric_lab::work::RayEstimate;
-use catoptric_scene::{Camera, Scene, Tracing};
+use catoptric_scene::{Camera, Scene, ScenePart, Tracing};
 use catoptric_tracer::{RenderControl, RenderScene};
 use egui::{Button, Label, Response, RichText, Ui, vec2};
 use glam::UVec2;
@@ -17,7 +16,7 @@ use crate::base::typeset::TextLine;
 use crate::base::widgets::number::{HEIGHT, shown};
 use crate::base::widgets::tip::tip_beside;
 use crate::panels::audit::short;
-use crate::panels::outliner::item_name;
+use crate::panels::outliner::part_name;
 
 /// The size of letters in the formula.
 const SIZE: f32 = 13.5;
@@ -129,7 +128,7 @@ fn bound_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Tracing>, bound: &Dep
         return;
     }
     let scene = Arc::clone(sheet.cx.editor.scene());
-    let names = bound.cycle.iter().map(|body| item_name(texts, &scene, Item::Body(*body)));
+    let names = bound.cycle.iter().map(|body| part_name(texts, &scene, ScenePart::Body(*body)));
     let names: Vec<String> =
         names.map(|name| texts.with("depth-body", &[("name", (*name).into())])).collect();
     let arguments = [("bodies", names.join(", ").into()), ("factor", shown(texts, bound.factor, 3).into())];

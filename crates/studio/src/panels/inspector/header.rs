@@ -1,6 +1,7 @@
 //! The head of the panel: what it is, its name, whether it is hidden or locked.
 
-use catoptric_editor::{Action, Item};
+use catoptric_editor::{Action, EditedScene, Item};
+use catoptric_scene::ScenePart;
 use egui::{Id, RichText, Sense, Ui, UiBuilder, vec2};
 use egui_material_icons::icons::{ICON_LOCK, ICON_LOCK_OPEN, ICON_VISIBILITY, ICON_VISIBILITY_OFF};
 
@@ -16,8 +17,8 @@ use crate::state::context::Cx;
 /// Draws the name field of `item`, with the buttons of what can be hidden and locked.
 pub(super) fn header_ui(ui: &mut Ui, cx: &mut Cx<'_>, item: Item) {
     let texts = cx.texts;
-    let scene = std::sync::Arc::clone(cx.editor.scene());
-    let (is_hidden, is_locked) = (item.is_hidden(&scene), item.is_locked(&scene));
+    let edited = cx.editor.edited().clone();
+    let (is_hidden, is_locked) = (edited.is_hidden(item), edited.is_locked(item));
     let has_toggles = matches!(item, Item::Body(_) | Item::Light(_));
     let mut clash = false;
     // A name that is being typed belongs to this thing, not to the next one that is selected.
@@ -27,13 +28,13 @@ pub(super) fn header_ui(ui: &mut Ui, cx: &mut Cx<'_>, item: Item) {
             ui.spacing_mut().item_spacing.x = 4.0;
             let palette = theme::palette(ui.visuals());
             let (rect, _) = ui.allocate_exact_size(vec2(20.0, HEIGHT), Sense::hover());
-            paint_icon(ui, item_icon(&scene, item), rect.center(), 18.0, palette.weak);
+            paint_icon(ui, item_icon(&edited, item), rect.center(), 18.0, palette.weak);
             let room = ui.available_width() - if has_toggles { 2.0 * 26.0 } else { 0.0 };
-            let name = item.name(&scene);
+            let name = edited.name(item);
             let (response, typed, draft) =
                 text_field(ui, texts.get("name"), name, texts.get("name-none"), room);
             tip_beside(ui, response, texts.tip("name").unwrap_or_default());
-            clash = draft.is_some_and(|draft| is_taken(&scene, item, &draft));
+            clash = draft.is_some_and(|draft| is_taken(&edited, item, &draft));
             if let Some(name) = typed {
                 cx.run(Command::Edit(Action::Rename { item, name }));
             }
@@ -64,6 +65,8 @@ pub(super) struct InspectedItems {
     /// The places of the things in their list, that of the primary one first.
     pub(super) indices: Vec<usize>,
     pub(super) first: usize,
+    /// The primary thing.
+    pub(super) item: Item,
     /// What they are called together.
     pub(super) subject: String,
     /// Whether they can be changed.
@@ -75,30 +78,32 @@ pub(super) struct InspectedItems {
 pub(super) fn chosen_ui(
     ui: &mut Ui,
     cx: &mut Cx<'_>,
-    kind: fn(usize) -> Item,
+    kind: fn(usize) -> ScenePart,
     selected: Vec<usize>,
     several: &str,
 ) -> Option<InspectedItems> {
-    let scene = std::sync::Arc::clone(cx.editor.scene());
-    let free: Vec<usize> = selected.iter().copied().filter(|&index| !kind(index).is_locked(&scene)).collect();
+    let edited = cx.editor.edited().clone();
+    let scene = edited.scene();
+    let free: Vec<usize> = selected.iter().copied().filter(|&index| !kind(index).is_locked(scene)).collect();
     let (is_free, count, locked) = (!free.is_empty(), selected.len(), selected.len() - free.len());
-    let items: Vec<Item> = selected.iter().copied().map(kind).collect();
+    let items: Vec<Item> = selected.iter().filter_map(|index| edited.item(kind(*index))).collect();
     let indices = if is_free { free } else { selected };
     let first = *indices.first()?;
-    let name = item_name(cx.texts, &scene, kind(first));
+    let item = edited.item(kind(first))?;
+    let name = item_name(cx.texts, &edited, item);
     let subject = match indices.len() {
         1 => name.clone().into_owned(),
         count => cx.texts.with(several, &[("count", count.into())]),
     };
     if count == 1 {
-        header_ui(ui, cx, kind(first));
+        header_ui(ui, cx, item);
     } else {
         several_ui(ui, cx, several, count, &name, locked);
     }
     if !is_free {
         locked_ui(ui, cx, &items);
     }
-    Some(InspectedItems { indices, first, subject, is_free })
+    Some(InspectedItems { indices, first, item, subject, is_free })
 }
 
 /// Says that several things are edited together.
@@ -138,14 +143,19 @@ pub(super) fn hint(ui: &mut Ui, text: &str) {
     ui.add(egui::Label::new(RichText::new(text).color(palette.weak).size(12.0)).wrap());
 }
 
-fn is_taken(scene: &catoptric_scene::Scene, item: Item, name: &str) -> bool {
+fn is_taken(edited: &EditedScene, item: Item, name: &str) -> bool {
+    let scene = edited.scene();
     let is_other = |place: usize, own: usize, other: &str| place != own && !name.is_empty() && other == name;
-    match item {
-        Item::Body(own) => scene.bodies.iter().enumerate().any(|(at, body)| is_other(at, own, &body.name)),
-        Item::Light(own) => scene.lights.iter().enumerate().any(|(at, light)| is_other(at, own, &light.name)),
-        Item::Material(own) => {
+    match edited.part(item) {
+        Some(ScenePart::Body(own)) => {
+            scene.bodies.iter().enumerate().any(|(at, body)| is_other(at, own, &body.name))
+        }
+        Some(ScenePart::Light(own)) => {
+            scene.lights.iter().enumerate().any(|(at, light)| is_other(at, own, &light.name))
+        }
+        Some(ScenePart::Material(own)) => {
             scene.materials.iter().enumerate().any(|(at, named)| is_other(at, own, &named.name))
         }
-        Item::Camera | Item::Environment | Item::Tracing => false,
+        _ => false,
     }
 }

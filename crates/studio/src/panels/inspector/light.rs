@@ -2,9 +2,8 @@
 
 use std::sync::Arc;
 
-use catoptric_editor::Item;
 use catoptric_scene::format::keys;
-use catoptric_scene::{Falloff, Light};
+use catoptric_scene::{Falloff, Light, ScenePart};
 use egui::{Id, Ui};
 
 use super::sheet::{
@@ -56,15 +55,15 @@ static RADIUS: NumberRow<Light> = NumberRow::<Light>::new(
 /// Draws the values of the selected lights.
 pub(super) fn lights_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut InspectorState) {
     let scene = Arc::clone(cx.editor.scene());
-    let selected = cx.editor.selection().lights().rev().collect();
-    let chosen = header::chosen_ui(ui, cx, Item::Light, selected, "several-lights");
-    let Some(header::InspectedItems { indices, first, subject, is_free }) = chosen else { return };
+    let selected = cx.editor.selected_lights().rev().collect();
+    let chosen = header::chosen_ui(ui, cx, ScenePart::Light, selected, "several-lights");
+    let Some(header::InspectedItems { indices, first, item, subject, is_free }) = chosen else { return };
     let Some(primary) = scene.lights.get(first) else { return };
     let mut sheet = PropertySheet {
         primary,
         things: indices.iter().filter_map(|&index| scene.lights.get(index)).collect(),
         subject,
-        id: Id::unique(("inspector-light", first)),
+        id: Id::unique(("inspector-light", item)),
         is_free,
         apply: &|editor, label, change| {
             // They are changed in the order in which they are given.

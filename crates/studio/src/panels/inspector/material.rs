@@ -3,14 +3,13 @@
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
-use catoptric_editor::{Action, Editor, Item, Label, RefusedChange};
+use catoptric_editor::{Action, Editor, Label, RefusedChange};
 use catoptric_scene::format::keys;
-use catoptric_scene::{Image, Material, MaterialChoice, Mirror, Model, Phong, Scene};
+use catoptric_scene::{Image, Material, MaterialChoice, Mirror, Model, Phong, Scene, ScenePart};
 use egui::{Button, ComboBox, Id, TextStyle, Ui, vec2};
 use egui_material_icons::icons::ICON_GRID_VIEW;
 
 use super::kinds::{MEDIA, PRESETS, kind_of};
-use super::replaced::OwnerName;
 use super::sheet::{ColorRow, NumberRow, PropertySheet, RowQuantity, SliderRail};
 use super::symbol::Symbol;
 use super::{InspectorState, curve, energy, formula, header, pattern, physical};
@@ -21,7 +20,7 @@ use crate::base::widgets::row::{GAP, control_width};
 use crate::base::widgets::section::section;
 use crate::base::widgets::tip::tip_beside;
 use crate::base::widgets::{ICON_BUTTON, explained_icon_button};
-use crate::panels::outliner::item_name;
+use crate::panels::outliner::part_name;
 use crate::state::command::{Command, WindowCommand};
 use crate::state::context::Cx;
 use crate::state::layout::Pane;
@@ -141,6 +140,15 @@ enum MaterialOwner {
     Body(usize),
 }
 
+impl MaterialOwner {
+    fn part(self) -> ScenePart {
+        match self {
+            Self::Named(index) => ScenePart::Material(index),
+            Self::Body(index) => ScenePart::Body(index),
+        }
+    }
+}
+
 /// The edited materials, the primary one first.
 #[derive(Clone, Copy)]
 struct MaterialGroup<'s> {
@@ -154,8 +162,11 @@ struct MaterialGroup<'s> {
 /// Draws the values of a named material.
 pub(super) fn named_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut InspectorState, index: usize) {
     let scene = Arc::clone(cx.editor.scene());
-    header::header_ui(ui, cx, Item::Material(index));
-    let name = Item::Material(index).name(&scene);
+    let part = ScenePart::Material(index);
+    if let Some(item) = cx.editor.edited().item(part) {
+        header::header_ui(ui, cx, item);
+    }
+    let name = part.name(&scene);
     ui.horizontal(|ui| {
         browse_ui(ui, cx);
         header::hint(ui, &used_by(cx, &scene, name));
@@ -180,7 +191,7 @@ pub(super) fn of_bodies_ui(
 ) {
     let homes = homes_of(scene, bodies);
     let own = match homes.as_slice() {
-        [MaterialOwner::Named(index)] => Some(item_name(cx.texts, scene, Item::Material(*index))),
+        [MaterialOwner::Named(index)] => Some(part_name(cx.texts, scene, ScenePart::Material(*index))),
         _ => None,
     };
     let subject = own.as_deref().unwrap_or(subject);
@@ -296,12 +307,13 @@ fn sheet_ui(
     let things: Vec<&Material> = homes.iter().filter_map(|&home| material_at(scene, home)).collect();
     let Some(&primary) = things.first() else { return };
     let first = bodies.first().copied();
+    let owner = homes.first().and_then(|home| cx.editor.edited().item(home.part()));
     let mut sheet = PropertySheet {
         primary,
         things,
         subject: subject.to_owned(),
-        id: Id::unique(("inspector-material", homes.first())),
-        is_free: first.is_none_or(|index| !Item::Body(index).is_locked(scene)),
+        id: Id::unique(("inspector-material", owner)),
+        is_free: first.is_none_or(|index| !ScenePart::Body(index).is_locked(scene)),
         apply: &|editor, label, change| apply(editor, homes, label, change),
         cx,
         memory,
@@ -315,10 +327,10 @@ fn sheet_ui(
             };
             section(ui, "material", texts.get("section-material"), summary, sheet.is_free, |ui| {
                 share_ui(ui, sheet.cx, scene, bodies, &body.material);
-                rows_ui(ui, &mut sheet, scene, homes);
+                rows_ui(ui, &mut sheet, homes);
             });
         }
-        None => rows_ui(ui, &mut sheet, scene, homes),
+        None => rows_ui(ui, &mut sheet, homes),
     }
     section(ui, "formula", texts.get("section-formula"), "", true, |ui| {
         if let Material::Phong(phong) = primary {
@@ -332,9 +344,9 @@ fn sheet_ui(
     });
 }
 
-fn rows_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>, scene: &Scene, homes: &[MaterialOwner]) {
+fn rows_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>, homes: &[MaterialOwner]) {
     if let Some(model) = physical::model_ui(ui, sheet) {
-        change_model(sheet, scene, homes, model);
+        change_model(sheet, homes, model);
     }
     if let Material::Phong(phong) = sheet.primary {
         kinds_ui(ui, sheet);
@@ -362,14 +374,10 @@ fn ground_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>) {
 }
 
 /// Changes the model of all materials. Each has what it had when it was last of that model.
-fn change_model(
-    sheet: &mut PropertySheet<'_, '_, Material>,
-    scene: &Scene,
-    homes: &[MaterialOwner],
-    model: Model,
-) {
+fn change_model(sheet: &mut PropertySheet<'_, '_, Material>, homes: &[MaterialOwner], model: Model) {
     let replaced = &mut sheet.memory.replaced;
-    let owners = homes.iter().map(|&home| owner_name(scene, home));
+    let edited = sheet.cx.editor.edited();
+    let owners = homes.iter().filter_map(|home| edited.item(home.part()));
     let changed: Vec<Material> =
         owners.zip(&sheet.things).map(|(owner, material)| replaced.replace(owner, material, model)).collect();
     sheet.change("model", "edit-model", |place, material| {
@@ -377,18 +385,6 @@ fn change_model(
             material.clone_from(changed);
         }
     });
-}
-
-fn owner_name(scene: &Scene, home: MaterialOwner) -> OwnerName {
-    let name = match home {
-        MaterialOwner::Named(index) => Item::Material(index).name(scene),
-        MaterialOwner::Body(index) => Item::Body(index).name(scene),
-    };
-    match home {
-        MaterialOwner::Named(_) => OwnerName::Named(name.to_owned()),
-        MaterialOwner::Body(index) if name.is_empty() => OwnerName::Unnamed(index),
-        MaterialOwner::Body(_) => OwnerName::Body(name.to_owned()),
-    }
 }
 
 /// Where the material of a body is kept.
@@ -532,12 +528,12 @@ fn ior_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>, phong: &Phon
 /// When a scene cannot have it.
 pub(crate) fn give_texture(editor: &mut Editor, texts: &Texts, image: &Image) -> Result<bool, RefusedChange> {
     let scene = Arc::clone(editor.scene());
-    let bodies: Vec<usize> = editor.selection().bodies().collect();
-    let homes = match editor.selection().primary() {
-        Some(Item::Material(index)) => vec![MaterialOwner::Named(index)],
+    let bodies: Vec<usize> = editor.selected_bodies().collect();
+    let homes = match editor.primary_part() {
+        Some(ScenePart::Material(index)) => vec![MaterialOwner::Named(index)],
         _ => homes_of(&scene, &bodies),
     };
-    let subject = editor.selection().primary().map(|item| item_name(texts, &scene, item)).unwrap_or_default();
+    let subject = editor.primary_part().map(|part| part_name(texts, &scene, part)).unwrap_or_default();
     apply(editor, &homes, Label::new("edit-texture", subject), &mut |_, material| {
         if let Some(pattern) = material.pattern_mut() {
             pattern.texture = Some(image.clone());

@@ -2,31 +2,21 @@
 
 use std::collections::HashMap;
 
+use catoptric_editor::Item;
 use catoptric_scene::{Material, Model};
-
-/// The owner of a material, as it can be found again after other edits.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(super) enum OwnerName {
-    /// The shared material of this name.
-    Named(String),
-    /// The body of this name.
-    Body(String),
-    /// The body without a name at this place.
-    Unnamed(usize),
-}
 
 /// The last material of each model that an owner had, in the open document.
 #[derive(Default)]
-pub(crate) struct ReplacedMaterials(HashMap<(OwnerName, Model), Material>);
+pub(crate) struct ReplacedMaterials(HashMap<(Item, Model), Material>);
 
 impl ReplacedMaterials {
     /// The material of an owner in another model: with the numbers that it last had in it, but for those that the
     /// present model has too. The present material is remembered.
-    pub(super) fn replace(&mut self, owner: OwnerName, material: &Material, model: Model) -> Material {
+    pub(super) fn replace(&mut self, owner: Item, material: &Material, model: Model) -> Material {
         if material.model() == model {
             return material.clone();
         }
-        let key = (owner.clone(), model);
+        let key = (owner, model);
         let new = match self.0.get(&key) {
             Some(before) => before.clone().with_shared(material),
             None => material.with_model(model),
@@ -38,22 +28,24 @@ impl ReplacedMaterials {
 
 #[cfg(test)]
 mod tests {
-    use catoptric_scene::{Color, Dielectric, Phong};
+    use catoptric_editor::Editor;
+    use catoptric_scene::{Body, Color, Dielectric, Phong, Scene};
 
     use super::*;
 
     #[test]
     fn a_model_that_comes_back_has_its_numbers_and_takes_over_newer_ones() {
-        let ball = || OwnerName::Body("ball".to_owned());
+        let bodies = [Body::default(), Body::default()].into();
+        let editor = Editor::new(Scene { bodies, ..Scene::default() });
+        let [ball, other] = editor.edited().bodies().collect::<Vec<_>>().try_into().unwrap();
         let mut replaced = ReplacedMaterials::default();
         let phong = Phong { diffuse: 0.3, specular: 0.7, tint: Color::BLACK, ..Phong::default() };
-        let clear = replaced.replace(ball(), &phong.clone().into(), Model::Dielectric);
+        let clear = replaced.replace(ball, &phong.clone().into(), Model::Dielectric);
         let Material::Dielectric(clear) = clear else { panic!() };
         let glass = Dielectric { index: 1.7.into(), dispersion: true, roughness: 0.2, ..clear };
-        let back = replaced.replace(ball(), &glass.clone().into(), Model::Phong);
+        let back = replaced.replace(ball, &glass.clone().into(), Model::Phong);
         assert_eq!(back, Phong { ior: 1.7, ..phong.clone() }.into());
-        assert_eq!(replaced.replace(ball(), &back, Model::Dielectric), glass.into());
-        let other = OwnerName::Unnamed(0);
+        assert_eq!(replaced.replace(ball, &back, Model::Dielectric), glass.into());
         assert_eq!(replaced.replace(other, &phong.into(), Model::Dielectric), Model::Dielectric.into());
     }
 }

@@ -121,7 +121,7 @@ fn picture_ui(ui: &Ui, browser: &mut MaterialBrowser, scene: &Scene, thing: Mate
 
 /// Whether the selected body is made of it.
 fn is_worn(cx: &Cx<'_>, scene: &Scene, thing: MaterialItem) -> bool {
-    let body = cx.editor.selection().bodies().next_back().and_then(|body| scene.bodies.get(body));
+    let body = cx.editor.selected_bodies().next_back().and_then(|body| scene.bodies.get(body));
     match (thing, body.map(|body| &body.material)) {
         (MaterialItem::Scene(place), Some(MaterialChoice::Named(name))) => {
             scene.materials.get(place).is_some_and(|named| named.name == *name)

@@ -1,7 +1,7 @@
 //! Rows that are dragged: to another place of their list, or a material onto a body.
 
-use catoptric_editor::{Action, Item, Selection};
-use catoptric_scene::MaterialChoice;
+use catoptric_editor::{Action, EditedScene, Item, Selection};
+use catoptric_scene::{MaterialChoice, ScenePart};
 use egui::{Align2, CursorIcon, Id, LayerId, Order, Rect, Stroke, StrokeKind, TextStyle, Ui, pos2, vec2};
 
 use super::rows::{OutlinerRow, OutlinerSection};
@@ -19,7 +19,7 @@ enum DropTarget {
     /// Before the element at this place of its list; the line is drawn above this row.
     Place { index: usize, row: usize },
     /// Onto this body.
-    Body { index: usize, row: usize },
+    Body { item: Item, row: usize },
 }
 
 /// Begins to drag `item`, with all that is selected if it is. A material stays as unselected as it was, so that the
@@ -36,14 +36,14 @@ pub(super) fn start(cx: &mut Cx<'_>, outliner: &mut Outliner, item: Item) {
 /// seen of the list.
 pub(super) fn drag_ui(ui: &mut Ui, cx: &mut Cx<'_>, outliner: &mut Outliner, top: f32, list: Rect) {
     let Some(item) = outliner.dragged else { return };
-    if !item.is_in(cx.editor.scene()) || ui.input(|input| input.key_pressed(egui::Key::Escape)) {
+    if !cx.editor.edited().contains(item) || ui.input(|input| input.key_pressed(egui::Key::Escape)) {
         outliner.dragged = None;
         return;
     }
     let pointer = ui.input(|input| input.pointer.latest_pos());
     let drop = pointer
         .filter(|at| list.expand2(vec2(0.0, EDGE)).contains(*at))
-        .and_then(|at| find(outliner.rows.all(), item, (at.y - top) / ROW));
+        .and_then(|at| find(cx.editor.edited(), outliner.rows.all(), item, (at.y - top) / ROW));
     if !ui.input(|input| input.pointer.any_down()) {
         outliner.dragged = None;
         if let Some(drop) = drop {
@@ -62,11 +62,11 @@ pub(super) fn drag_ui(ui: &mut Ui, cx: &mut Cx<'_>, outliner: &mut Outliner, top
 }
 
 /// Where `item` would go if it were dropped at `height`, counted in rows from the first.
-fn find(rows: &[OutlinerRow], item: Item, height: f32) -> Option<DropTarget> {
+fn find(edited: &EditedScene, rows: &[OutlinerRow], item: Item, height: f32) -> Option<DropTarget> {
     let section = OutlinerSection::of(item)?;
-    let index_of = |item: Item| match item {
-        Item::Light(index) | Item::Body(index) | Item::Material(index) => index,
-        Item::Camera | Item::Environment | Item::Tracing => 0,
+    let index_of = |item: Item| match edited.part(item) {
+        Some(ScenePart::Light(index) | ScenePart::Body(index) | ScenePart::Material(index)) => index,
+        _ => 0,
     };
     let row = height.max(0.0) as usize;
     match rows.get(row) {
@@ -74,8 +74,8 @@ fn find(rows: &[OutlinerRow], item: Item, height: f32) -> Option<DropTarget> {
             let below = usize::from(height.fract() >= 0.5);
             Some(DropTarget::Place { index: index_of(*under) + below, row: row + below })
         }
-        Some(OutlinerRow::Item(Item::Body(index))) if section == OutlinerSection::Materials => {
-            Some(DropTarget::Body { index: *index, row })
+        Some(OutlinerRow::Item(body @ Item::Body(_))) if section == OutlinerSection::Materials => {
+            Some(DropTarget::Body { item: *body, row })
         }
         Some(OutlinerRow::Head(under, _)) if *under == section => {
             Some(DropTarget::Place { index: 0, row: row + 1 })
@@ -105,10 +105,10 @@ fn let_go(cx: &mut Cx<'_>, item: Item, drop: DropTarget) {
             cx.editor.select(selection);
             cx.run(Command::Edit(Action::MoveToIndex(index)));
         }
-        DropTarget::Body { index, .. } => {
-            let name = item.name(cx.editor.scene()).to_owned();
-            if !cx.editor.selection().contains(Item::Body(index)) {
-                cx.editor.select(Item::Body(index));
+        DropTarget::Body { item: body, .. } => {
+            let name = cx.editor.edited().name(item).to_owned();
+            if !cx.editor.selection().contains(body) {
+                cx.editor.select(body);
             }
             cx.run(Command::Edit(Action::AssignMaterial(MaterialChoice::Named(name))));
         }
@@ -144,7 +144,7 @@ fn paint(ui: &Ui, drop: DropTarget, top: f32) {
 
 /// What is dragged, beside the pointer.
 fn ghost(ui: &Ui, cx: &Cx<'_>, item: Item, at: egui::Pos2) {
-    let name = item_name(cx.texts, cx.editor.scene(), item);
+    let name = item_name(cx.texts, cx.editor.edited(), item);
     let selection = cx.editor.selection();
     let count =
         selection.iter().filter(|other| OutlinerSection::of(*other) == OutlinerSection::of(item)).count();
@@ -161,32 +161,44 @@ fn ghost(ui: &Ui, cx: &Cx<'_>, item: Item, at: egui::Pos2) {
 
 #[cfg(test)]
 mod tests {
+    use catoptric_editor::Editor;
+    use catoptric_scene::{Body, Light, Material, NamedMaterial, Scene};
+
     use super::*;
 
     #[test]
     fn things_go_between_their_like_and_materials_onto_bodies() {
+        let scene = Scene {
+            materials: vec![NamedMaterial { name: "gold".to_owned(), material: Material::default() }],
+            lights: vec![Light::default()],
+            bodies: [Body::default(), Body::default()].into(),
+            ..Scene::default()
+        };
+        let editor = Editor::new(scene);
+        let edited = editor.edited();
+        let item = |part| edited.item(part).unwrap();
+        let (light, material) = (item(ScenePart::Light(0)), item(ScenePart::Material(0)));
+        let [body, other] = [item(ScenePart::Body(0)), item(ScenePart::Body(1))];
         let rows = [
             OutlinerRow::Item(Item::Camera),
             OutlinerRow::Head(OutlinerSection::Lights, 1),
-            OutlinerRow::Item(Item::Light(0)),
+            OutlinerRow::Item(light),
             OutlinerRow::Head(OutlinerSection::Bodies, 2),
-            OutlinerRow::Item(Item::Body(0)),
-            OutlinerRow::Item(Item::Body(1)),
+            OutlinerRow::Item(body),
+            OutlinerRow::Item(other),
             OutlinerRow::Head(OutlinerSection::Materials, 1),
-            OutlinerRow::Item(Item::Material(0)),
+            OutlinerRow::Item(material),
         ];
         let place = |index, row| Some(DropTarget::Place { index, row });
-        let body = Item::Body(0);
-        assert_eq!(find(&rows, body, 4.2), place(0, 4));
-        assert_eq!(find(&rows, body, 4.7), place(1, 5));
-        assert_eq!(find(&rows, body, 5.7), place(2, 6));
-        assert_eq!(find(&rows, body, 6.3), place(2, 6));
-        assert_eq!(find(&rows, body, 3.3), place(0, 4));
-        assert_eq!(find(&rows, body, 2.5), None);
-        assert_eq!(find(&rows, body, 20.0), place(2, 6));
-        let material = Item::Material(0);
-        assert_eq!(find(&rows, material, 5.5), Some(DropTarget::Body { index: 1, row: 5 }));
-        assert_eq!(find(&rows, material, 2.5), None);
-        assert_eq!(find(&rows, material, 7.9), place(1, 8));
+        assert_eq!(find(edited, &rows, body, 4.2), place(0, 4));
+        assert_eq!(find(edited, &rows, body, 4.7), place(1, 5));
+        assert_eq!(find(edited, &rows, body, 5.7), place(2, 6));
+        assert_eq!(find(edited, &rows, body, 6.3), place(2, 6));
+        assert_eq!(find(edited, &rows, body, 3.3), place(0, 4));
+        assert_eq!(find(edited, &rows, body, 2.5), None);
+        assert_eq!(find(edited, &rows, body, 20.0), place(2, 6));
+        assert_eq!(find(edited, &rows, material, 5.5), Some(DropTarget::Body { item: other, row: 5 }));
+        assert_eq!(find(edited, &rows, material, 2.5), None);
+        assert_eq!(find(edited, &rows, material, 7.9), place(1, 8));
     }
 }

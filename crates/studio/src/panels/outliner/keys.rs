@@ -37,7 +37,7 @@ pub(super) fn keys(ui: &Ui, cx: &mut Cx<'_>, outliner: &mut Outliner) {
     if pressed(Modifiers::NONE, Key::Enter)
         && let Some(item) = primary
     {
-        outliner.rename(&std::sync::Arc::clone(cx.editor.scene()), item);
+        outliner.rename(cx.editor.edited(), item);
     }
 }
 

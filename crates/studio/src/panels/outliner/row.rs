@@ -8,7 +8,8 @@ use egui_material_icons::{MaterialIcon, icons};
 
 use super::rows::OutlinerSection;
 use super::{
-    Outliner, ROW, click, drag, item_color, item_icon, item_name, list_id, menu, rename_ui, shared_material,
+    Outliner, ROW, body_of, click, drag, item_color, item_icon, item_name, list_id, menu, rename_ui,
+    shared_material,
 };
 use crate::base::theme;
 use crate::base::widgets::{icon_button, paint_icon, paint_line};
@@ -75,27 +76,27 @@ pub(super) fn item_ui(ui: &mut Ui, cx: &mut Cx<'_>, outliner: &mut Outliner, ite
     let (_, rect) = ui.allocate_space(vec2(ui.available_width(), ROW));
     let id = list_id().with(item);
     let response = ui.interact(rect, id, Sense::CLICK | Sense::DRAG);
-    let scene = std::sync::Arc::clone(cx.editor.scene());
+    let edited = cx.editor.edited().clone();
     let texts = cx.texts;
-    let name = item_name(texts, &scene, item);
+    let name = item_name(texts, &edited, item);
     let is_selected = cx.editor.selection().contains(item);
     info(ui, &response, &name, is_selected, item);
     let is_hovered = response.contains_pointer() && outliner.dragged.is_none();
     paint_background(ui, cx, rect, item, is_selected, is_hovered);
 
     let left = rect.left() + if OutlinerSection::of(item).is_some() { INDENT } else { 0.0 };
-    let is_hidden = item.is_hidden(&scene);
+    let is_hidden = edited.is_hidden(item);
     let palette = theme::palette(ui.visuals());
     let color = if is_hidden { palette.weak } else { palette.text };
-    paint_icon(ui, item_icon(&scene, item), pos2(left + 10.0, rect.center().y), 15.0, palette.weak);
+    paint_icon(ui, item_icon(&edited, item), pos2(left + 10.0, rect.center().y), 15.0, palette.weak);
     let mut text_left = left + 23.0;
-    if let Some(dot) = item_color(&scene, item) {
+    if let Some(dot) = item_color(&edited, item) {
         let stroke = Stroke::new(1.0, palette.weak.gamma_multiply(0.6));
         let center = pos2(text_left + 5.0, rect.center().y);
         ui.painter().circle(center, 4.5, if is_hidden { dot.gamma_multiply(0.4) } else { dot }, stroke);
         text_left += 16.0;
     }
-    let flags = match (is_hidden, item.is_locked(&scene)) {
+    let flags = match (is_hidden, edited.is_locked(item)) {
         _ if is_hovered && has_flags(item) => 46.0,
         (_, true) => 46.0,
         (true, false) => 25.0,
@@ -114,8 +115,8 @@ pub(super) fn item_ui(ui: &mut Ui, cx: &mut Cx<'_>, outliner: &mut Outliner, ite
     }
     tip_ui(&response, cx, item, &name);
     act(ui, cx, outliner, item, &response);
-    if is_hovered && let Item::Body(place) = item {
-        outliner.hovered = Some(place);
+    if is_hovered && matches!(item, Item::Body(_)) {
+        outliner.hovered = Some(item);
     }
     menu::item_menu(&response, cx, item);
 }
@@ -146,7 +147,7 @@ fn paint_background(ui: &Ui, cx: &Cx<'_>, rect: Rect, item: Item, is_selected: b
 
 /// Eye and lock at the right: seen when they are set, and under the pointer.
 fn flags_ui(ui: &mut Ui, cx: &mut Cx<'_>, rect: Rect, item: Item, name: &str, is_hovered: bool) {
-    let (hidden, locked) = (item.is_hidden(cx.editor.scene()), item.is_locked(cx.editor.scene()));
+    let (hidden, locked) = (cx.editor.edited().is_hidden(item), cx.editor.edited().is_locked(item));
     let eye = if hidden { icons::ICON_VISIBILITY_OFF } else { icons::ICON_VISIBILITY };
     let key = if hidden { "outliner-show" } else { "outliner-hide" };
     let seen = [hidden || is_hovered, locked || is_hovered];
@@ -202,11 +203,7 @@ fn tip_ui(response: &Response, cx: &Cx<'_>, item: Item, name: &str) {
 
 fn tip_content(ui: &mut Ui, cx: &Cx<'_>, item: Item, name: &str) {
     ui.label(name);
-    let body = match item {
-        Item::Body(place) => cx.editor.scene().bodies.get(place),
-        _ => None,
-    };
-    let text = match (item, body.map(shared_material)) {
+    let text = match (item, body_of(cx.editor.edited(), item).map(shared_material)) {
         (Item::Body(_), Some(Some(material))) => {
             cx.texts.with("outliner-of-material", &[("material", material.into())])
         }
@@ -222,7 +219,7 @@ fn tip_content(ui: &mut Ui, cx: &Cx<'_>, item: Item, name: &str) {
 fn act(ui: &Ui, cx: &mut Cx<'_>, outliner: &mut Outliner, item: Item, response: &Response) {
     if response.double_clicked() {
         cx.editor.select(item);
-        outliner.rename(&std::sync::Arc::clone(cx.editor.scene()), item);
+        outliner.rename(cx.editor.edited(), item);
         return;
     }
     if response.clicked() {

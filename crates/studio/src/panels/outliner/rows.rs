@@ -1,6 +1,6 @@
 //! The rows of the tree, as a flat list: only the visible ones are drawn.
 
-use catoptric_editor::{Editor, Item, Selection};
+use catoptric_editor::{EditedScene, Editor, Item, Selection};
 use catoptric_scene::Scene;
 
 use super::item_name;
@@ -36,11 +36,11 @@ impl OutlinerSection {
         }
     }
 
-    fn items(self, scene: &Scene) -> Box<dyn Iterator<Item = Item>> {
+    fn items(self, edited: &EditedScene) -> Box<dyn Iterator<Item = Item> + '_> {
         match self {
-            Self::Lights => Box::new((0..scene.lights.len()).map(Item::Light)),
-            Self::Bodies => Box::new((0..scene.bodies.len()).map(Item::Body)),
-            Self::Materials => Box::new((0..scene.materials.len()).map(Item::Material)),
+            Self::Lights => Box::new(edited.lights()),
+            Self::Bodies => Box::new(edited.bodies()),
+            Self::Materials => Box::new(edited.materials()),
         }
     }
 }
@@ -89,9 +89,9 @@ impl OutlinerRows {
 
     /// Finds the rows, if anything has changed. With a filter only things whose name has it are shown, folded or not.
     pub(super) fn update(&mut self, texts: &Texts, editor: &Editor, filter: &str) {
-        let scene = editor.scene();
+        let edited = editor.edited();
         let key = (
-            std::sync::Arc::as_ptr(scene),
+            std::sync::Arc::as_ptr(edited.scene()),
             editor.revision(),
             filter.to_owned(),
             texts.language(),
@@ -102,7 +102,7 @@ impl OutlinerRows {
         }
         let filter = filter.trim().to_lowercase();
         let fits = |item: &Item| {
-            filter.is_empty() || item_name(texts, scene, *item).to_lowercase().contains(&filter)
+            filter.is_empty() || item_name(texts, edited, *item).to_lowercase().contains(&filter)
         };
         self.rows.clear();
         let fixed = [Item::Camera, Item::Environment, Item::Tracing];
@@ -110,7 +110,7 @@ impl OutlinerRows {
         for section in OutlinerSection::ALL {
             let head = self.rows.len();
             self.rows.push(OutlinerRow::Head(section, 0));
-            self.rows.extend(section.items(scene).filter(fits).map(OutlinerRow::Item));
+            self.rows.extend(section.items(edited).filter(fits).map(OutlinerRow::Item));
             let count = self.rows.len() - head - 1;
             if let Some(row) = self.rows.get_mut(head) {
                 *row = OutlinerRow::Head(section, count);
@@ -170,6 +170,10 @@ mod tests {
         Editor::new(scene)
     }
 
+    fn bodies(editor: &Editor) -> [Item; 3] {
+        editor.edited().bodies().collect::<Vec<_>>().try_into().unwrap()
+    }
+
     #[test]
     fn folding_hides_rows_and_a_filter_finds_them_again() {
         let (texts, editor) = (Texts::new(Language::English), editor());
@@ -178,14 +182,15 @@ mod tests {
         assert_eq!(rows.all().len(), 3 + 3 + 1 + 3);
         rows.fold(OutlinerSection::Bodies, true);
         rows.update(&texts, &editor, "");
-        assert_eq!(rows.place_of(Item::Body(1)), None);
+        let [ball, mirror, floor] = bodies(&editor);
+        assert_eq!(rows.place_of(mirror), None);
         assert!(rows.all().contains(&OutlinerRow::Head(OutlinerSection::Bodies, 3)));
         rows.update(&texts, &editor, "BALL");
-        assert_eq!(rows.items().collect::<Vec<_>>(), [Item::Body(0), Item::Body(1)]);
+        assert_eq!(rows.items().collect::<Vec<_>>(), [ball, mirror]);
         assert!(rows.all().contains(&OutlinerRow::Head(OutlinerSection::Bodies, 2)));
-        rows.unfold(Item::Body(2));
+        rows.unfold(floor);
         rows.update(&texts, &editor, "");
-        assert!(rows.place_of(Item::Body(2)).is_some());
+        assert!(rows.place_of(floor).is_some());
     }
 
     #[test]
@@ -193,9 +198,11 @@ mod tests {
         let (texts, editor) = (Texts::new(Language::English), editor());
         let mut rows = OutlinerRows::default();
         rows.update(&texts, &editor, "");
-        let up = rows.range(Item::Body(2), Item::Body(0));
-        assert_eq!(up.iter().collect::<Vec<_>>(), [Item::Body(2), Item::Body(1), Item::Body(0)]);
-        let across = rows.range(Item::Camera, Item::Body(0));
-        assert_eq!(across.iter().collect::<Vec<_>>(), [Item::Light(0), Item::Body(0)]);
+        let [ball, mirror, floor] = bodies(&editor);
+        let up = rows.range(floor, ball);
+        assert_eq!(up.iter().collect::<Vec<_>>(), [floor, mirror, ball]);
+        let across = rows.range(Item::Camera, ball);
+        let light = editor.edited().lights().next().unwrap();
+        assert_eq!(across.iter().collect::<Vec<_>>(), [light, ball]);
     }
 }

@@ -1,8 +1,8 @@
 //! Exact answers over the picture: images in their true places, focal points and highlights, each beside what the
 //! tracer finds.
 
-use catoptric_editor::Item;
 use catoptric_lab::exact::{ExactAnswer, ExactDeviation, Inapplicable, RingImage};
+use catoptric_scene::ScenePart;
 use egui::accesskit::Role;
 use egui::{
     Align2, Color32, Id, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, Visuals, WidgetInfo, pos2, vec2,
@@ -14,7 +14,7 @@ use super::scene_view::SceneView;
 use crate::base::texts::Texts;
 use crate::base::{plates, theme};
 use crate::panels::audit::short;
-use crate::panels::outliner::item_name;
+use crate::panels::outliner::part_name;
 use crate::state::context::Cx;
 use crate::state::exact;
 
@@ -57,9 +57,9 @@ impl AnswerPainter<'_> {
     fn answer(&mut self, answer: &ExactAnswer) {
         let texts = self.cx.texts;
         let scene = self.cx.editor.scene();
-        let name = |item: Item| item_name(texts, scene, item).into_owned();
+        let name = |part: ScenePart| part_name(texts, scene, part).into_owned();
         let in_mirror =
-            |key: &str, mirror: usize| texts.with(key, &[("mirror", name(Item::Body(mirror)).into())]);
+            |key: &str, mirror: usize| texts.with(key, &[("mirror", name(ScenePart::Body(mirror)).into())]);
         match answer {
             ExactAnswer::PlaneImage { mirror, body, object, image } => {
                 self.ghost(*body, *object, image.exact);
@@ -83,7 +83,8 @@ impl AnswerPainter<'_> {
                 }
             }
             ExactAnswer::Highlight { light, point, off, .. } => {
-                let title = texts.with("exact-highlight", &[("light", name(Item::Light(*light)).into())]);
+                let title =
+                    texts.with("exact-highlight", &[("light", name(ScenePart::Light(*light)).into())]);
                 self.told(*point, &title, off.map(|off| format!("{}°", short(texts, off.to_degrees()))));
             }
             ExactAnswer::Ring { angle, images, .. } => self.ring(*angle, images),
@@ -93,7 +94,7 @@ impl AnswerPainter<'_> {
     /// Why something has no exact answer.
     fn inapplicable(&self, reason: Inapplicable) -> String {
         let scene = self.cx.editor.scene();
-        let name = |body: usize| item_name(self.cx.texts, scene, Item::Body(body)).into_owned();
+        let name = |body: usize| part_name(self.cx.texts, scene, ScenePart::Body(body)).into_owned();
         let key = match reason {
             Inapplicable::RoughMirror { .. } => "exact-rough-mirror",
             Inapplicable::CurvedMirror { .. } => "exact-curved-mirror",

@@ -1,7 +1,7 @@
 //! The things of a drag, as they were when it began.
 
-use catoptric_editor::{Editor, Item, Label, Selection};
-use catoptric_scene::{Anchor, Camera, Placement, Scene};
+use catoptric_editor::{EditedScene, Editor, Item, Label, Selection};
+use catoptric_scene::{Anchor, Camera, Placement, ScenePart};
 use glam::DVec3;
 
 use super::gizmo::change::GizmoChange;
@@ -9,8 +9,8 @@ use super::gizmo::change::GizmoChange;
 /// The bodies, lights and camera of a drag, as they were when it began.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct DragPayload {
-    bodies: Vec<(usize, Placement)>,
-    lights: Vec<(usize, DVec3)>,
+    bodies: Vec<(Item, Placement)>,
+    lights: Vec<(Item, DVec3)>,
     camera: Option<Camera>,
     label: Label,
 }
@@ -19,28 +19,28 @@ impl DragPayload {
     /// Takes what is selected and not locked; `None` when there is nothing. `with_camera` takes the camera, too, if it
     /// is selected. `key` names the step of the history.
     pub(crate) fn take(
-        scene: &Scene,
+        edited: &EditedScene,
         selection: &Selection,
         with_camera: bool,
         key: &'static str,
     ) -> Option<Self> {
-        let is_free = |item: Item| !item.is_locked(scene) && item.is_in(scene);
-        let items: Vec<Item> = selection.iter().filter(|item| is_free(*item)).collect();
-        let bodies = items.iter().filter_map(|item| match *item {
-            Item::Body(index) => Some((index, scene.bodies.get(index)?.placement)),
-            _ => None,
-        });
-        let lights = items.iter().filter_map(|item| match *item {
-            Item::Light(index) => Some((index, scene.lights.get(index)?.position)),
-            _ => None,
-        });
-        let camera = (with_camera && items.contains(&Item::Camera)).then_some(scene.camera);
-        let (mut bodies, mut lights): (Vec<_>, Vec<_>) = (bodies.collect(), lights.collect());
-        bodies.sort_by_key(|(index, _)| *index);
-        lights.sort_by_key(|(index, _)| *index);
+        let scene = edited.scene();
+        let (mut bodies, mut lights, mut camera) = (Vec::new(), Vec::new(), None);
+        for item in selection.iter() {
+            match edited.part(item) {
+                Some(part) if part.is_locked(scene) => {}
+                Some(ScenePart::Body(index)) => {
+                    bodies.extend(scene.bodies.get(index).map(|body| (item, body.placement)));
+                }
+                Some(ScenePart::Light(index)) => {
+                    lights.extend(scene.lights.get(index).map(|light| (item, light.position)));
+                }
+                Some(ScenePart::Camera) if with_camera => camera = Some(scene.camera),
+                _ => {}
+            }
+        }
         let subject = match (bodies.as_slice(), lights.as_slice(), camera) {
-            ([(index, _)], [], None) => Item::Body(*index).name(scene),
-            ([], [(index, _)], None) => Item::Light(*index).name(scene),
+            ([(item, _)], [], None) | ([], [(item, _)], None) => edited.name(*item),
             ([], [], None) => return None,
             _ => "",
         };
@@ -59,18 +59,20 @@ impl DragPayload {
     /// Has `change` done to it, from how it was when it was taken. What the scene does not allow is left undone.
     pub(crate) fn apply(&self, editor: &mut Editor, change: &GizmoChange) {
         let label = || self.label.clone();
-        if !self.bodies.is_empty() {
-            let indices = self.bodies.iter().map(|(index, _)| *index);
-            let _ = editor.change_bodies(indices, label(), |index, body| {
-                if let Some(start) = find(&self.bodies, index) {
+        let bodies = placed(editor.edited(), &self.bodies);
+        if !bodies.is_empty() {
+            let mut starts = bodies.iter();
+            let _ = editor.change_bodies(bodies.iter().map(|(index, _)| *index), label(), |_, body| {
+                if let Some((_, start)) = starts.next() {
                     body.placement = change.placement(start, degrees(&body.placement));
                 }
             });
         }
-        if !self.lights.is_empty() {
-            let indices = self.lights.iter().map(|(index, _)| *index);
-            let _ = editor.change_lights(indices, label(), |index, light| {
-                if let Some(start) = find(&self.lights, index) {
+        let lights = placed(editor.edited(), &self.lights);
+        if !lights.is_empty() {
+            let mut starts = lights.iter();
+            let _ = editor.change_lights(lights.iter().map(|(index, _)| *index), label(), |_, light| {
+                if let Some((_, start)) = starts.next() {
                     light.position = change.point(*start);
                 }
             });
@@ -81,10 +83,13 @@ impl DragPayload {
     }
 }
 
-/// How the thing at a place was; the list is sorted.
-fn find<T>(starts: &[(usize, T)], index: usize) -> Option<&T> {
-    let at = starts.binary_search_by_key(&index, |(index, _)| *index).ok()?;
-    starts.get(at).map(|(_, start)| start)
+/// The places of the things that the scene has now, each with how it was.
+fn placed<T: Copy>(edited: &EditedScene, starts: &[(Item, T)]) -> Vec<(usize, T)> {
+    let place = |(item, start): &(Item, T)| match edited.part(*item)? {
+        ScenePart::Body(index) | ScenePart::Light(index) => Some((index, *start)),
+        _ => None,
+    };
+    starts.iter().filter_map(place).collect()
 }
 
 /// The turns of a placement; zeros when its axis is given by two points.
@@ -96,19 +101,22 @@ fn degrees(placement: &Placement) -> DVec3 {
 }
 
 /// The place of a body, a light or the camera: where its gizmo stands.
-pub(crate) fn place_of(scene: &Scene, item: Item) -> Option<DVec3> {
-    match item {
-        Item::Body(index) => scene.bodies.get(index).map(|body| body.placement.world_from_body().translation),
-        Item::Light(index) => scene.lights.get(index).map(|light| light.position),
-        Item::Camera => Some(scene.camera.position),
-        Item::Environment | Item::Tracing | Item::Material(_) => None,
+pub(crate) fn place_of(edited: &EditedScene, item: Item) -> Option<DVec3> {
+    let scene = edited.scene();
+    match edited.part(item)? {
+        ScenePart::Body(index) => {
+            scene.bodies.get(index).map(|body| body.placement.world_from_body().translation)
+        }
+        ScenePart::Light(index) => scene.lights.get(index).map(|light| light.position),
+        ScenePart::Camera => Some(scene.camera.position),
+        ScenePart::Environment | ScenePart::Tracing | ScenePart::Material(_) => None,
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use catoptric_scene::{Body, Light};
+    use catoptric_scene::{Body, Light, Scene};
 
     fn editor() -> Editor {
         let body = |name: &str, locked| Body { name: name.to_owned(), locked, ..Body::default() };
@@ -123,11 +131,13 @@ mod tests {
     #[test]
     fn locked_things_are_not_taken() {
         let mut editor = editor();
-        editor.select(Item::Body(1));
-        assert_eq!(DragPayload::take(editor.scene(), editor.selection(), true, "edit-move"), None);
-        let all: Selection =
-            [Item::Body(1), Item::Body(2), Item::Light(0), Item::Camera].into_iter().collect();
-        let payload = DragPayload::take(editor.scene(), &all, false, "edit-move").unwrap();
+        let item = |editor: &Editor, part| editor.edited().item(part).unwrap();
+        let [one, two] = [ScenePart::Body(1), ScenePart::Body(2)].map(|part| item(&editor, part));
+        let light = item(&editor, ScenePart::Light(0));
+        editor.select(one);
+        assert_eq!(DragPayload::take(editor.edited(), editor.selection(), true, "edit-move"), None);
+        let all: Selection = [one, two, light, Item::Camera].into_iter().collect();
+        let payload = DragPayload::take(editor.edited(), &all, false, "edit-move").unwrap();
         let before = editor.scene().clone();
         payload.apply(&mut editor, &GizmoChange::Move(DVec3::X));
         payload.apply(&mut editor, &GizmoChange::Move(2.0 * DVec3::X));
@@ -145,7 +155,8 @@ mod tests {
     #[test]
     fn one_thing_gives_the_step_its_name() {
         let editor = editor();
-        let payload = DragPayload::take(editor.scene(), &Item::Light(0).into(), false, "edit-move").unwrap();
+        let light = editor.edited().lights().next().unwrap();
+        let payload = DragPayload::take(editor.edited(), &light.into(), false, "edit-move").unwrap();
         assert_eq!(payload.label, Label::new("edit-move", "sun"));
     }
 }

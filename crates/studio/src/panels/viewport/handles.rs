@@ -1,7 +1,7 @@
 //! The handles of lights, and of the scene's camera in the free view.
 
 use catoptric_editor::Item;
-use catoptric_scene::{Camera, Light, Projection};
+use catoptric_scene::{Camera, Light, Projection, ScenePart};
 use egui::{Color32, Painter, Pos2, Stroke};
 use glam::DVec3;
 
@@ -27,13 +27,13 @@ pub(crate) fn draw(
         let is_selected = cx.editor.selection().contains(item);
         let pen =
             HandlePainter { painter, scene_view, palette, is_selected, is_hovered: hovered == Some(item) };
-        match item {
-            Item::Light(index) => {
+        match cx.editor.edited().part(item) {
+            Some(ScenePart::Light(index)) => {
                 if let Some(light) = scene.lights.get(index) {
                     pen.light(light);
                 }
             }
-            Item::Camera => pen.camera(&scene.camera),
+            Some(ScenePart::Camera) => pen.camera(&scene.camera),
             _ => {}
         }
     }

@@ -1,6 +1,5 @@
 //! Moves a light so that its highlight or its shadow follows the pointer. Knows nothing of egui.
 
-use catoptric_scene::Scene;
 use glam::{DVec2, DVec3};
 
 use super::gizmo::steps::{decimal_below, rounded};
@@ -12,8 +11,6 @@ const CLEARANCE: f64 = 0.9;
 /// The drag of a light by its highlight or a shadow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct LightAim {
-    /// The light's place in [`Scene::lights`].
-    pub(crate) light: usize,
     /// How far it stays from the point that it is turned about, meters.
     distance: f64,
     anchor: AimAnchor,
@@ -29,23 +26,16 @@ enum AimAnchor {
 }
 
 impl LightAim {
-    /// Takes a light by what it does at a place of the picture: by the shadow that lies there, if `by_shadow` allows
+    /// Takes the light at `place`, meters, by what it does at a place of the picture: by the shadow that lies there, if `by_shadow` allows
     /// that, otherwise by its highlight. `None` where no body is seen.
-    pub(crate) fn begin(
-        scene_view: &SceneView,
-        scene: &Scene,
-        light: usize,
-        at: DVec2,
-        by_shadow: bool,
-    ) -> Option<Self> {
-        let place = scene.lights.get(light)?.position;
+    pub(crate) fn begin(scene_view: &SceneView, place: DVec3, at: DVec2, by_shadow: bool) -> Option<Self> {
         let surface = scene_view.body_at(at)?.position;
         let (anchor, center) = match scene_view.between(place, surface).filter(|_| by_shadow) {
             Some(occluder) => (AimAnchor::Shadow(occluder.position), occluder.position),
             None => (AimAnchor::Highlight, surface),
         };
         let distance = place.distance(center);
-        (distance > 0.0 && distance.is_finite()).then_some(Self { light, distance, anchor })
+        (distance > 0.0 && distance.is_finite()).then_some(Self { distance, anchor })
     }
 
     /// Whether a shadow follows the pointer.

@@ -1,6 +1,6 @@
 //! The menu of the right button.
 
-use catoptric_editor::Action;
+use catoptric_editor::{Action, Item};
 use egui::Ui;
 
 use crate::panels::menu_entry::item;
@@ -10,8 +10,8 @@ use crate::state::context::Cx;
 /// Draws the menu about what is selected.
 pub(crate) fn menu_ui(ui: &mut Ui, cx: &mut Cx<'_>) {
     let selection = cx.editor.selection();
-    let has_bodies = selection.bodies().next().is_some();
-    let has_things = has_bodies || selection.lights().next().is_some();
+    let has_bodies = selection.iter().any(|item| matches!(item, Item::Body(_)));
+    let has_things = has_bodies || selection.iter().any(|item| matches!(item, Item::Light(_)));
     if has_things {
         let edits = [
             Command::Edit(Action::Duplicate),

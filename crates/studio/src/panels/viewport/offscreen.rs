@@ -1,6 +1,7 @@
 //! Arrows at the edge of the picture towards lights, and in the free view the camera, that are out of view.
 
 use catoptric_editor::Item;
+use catoptric_scene::ScenePart;
 use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, Vec2, vec2};
 use glam::DVec3;
 
@@ -32,7 +33,7 @@ pub(crate) fn arrows(cx: &Cx<'_>, scene_view: &SceneView) -> Vec<OffscreenArrow>
     let mut arrows: Vec<OffscreenArrow> = Vec::new();
     let room = room(scene_view.clear);
     for item in marks(cx) {
-        let place = place_of(cx.editor.scene(), item);
+        let place = place_of(cx.editor.edited(), item);
         let Some(direction) = place.and_then(|place| direction_to(scene_view, place)) else { continue };
         let along = vec2(-direction.y, direction.x);
         let edge = edge_point(room, scene_view.rect.center(), direction);
@@ -93,11 +94,13 @@ pub(crate) fn draw(
 ) {
     let scene = cx.editor.scene();
     for OffscreenArrow { item, center, direction } in arrows(cx, scene_view) {
-        let fill = match item {
-            Item::Light(index) => scene.lights.get(index).map_or(Color32::WHITE, handles::shown_color),
+        let fill = match cx.editor.edited().part(item) {
+            Some(ScenePart::Light(index)) => {
+                scene.lights.get(index).map_or(Color32::WHITE, handles::shown_color)
+            }
             _ => Color32::from_gray(214),
         };
-        let fill = if item.is_hidden(scene) { fill.gamma_multiply(0.4) } else { fill };
+        let fill = if cx.editor.edited().is_hidden(item) { fill.gamma_multiply(0.4) } else { fill };
         let is_selected = cx.editor.selection().contains(item);
         let dark = Color32::from_black_alpha(170);
         let across = vec2(-direction.y, direction.x);

@@ -1,6 +1,6 @@
 //! Picking a pixel for the audit: the pixel under the pointer, and its pin.
 
-use catoptric_editor::Item;
+use catoptric_scene::ScenePart;
 use egui::{Popup, Pos2, Ui};
 use glam::{DVec3, UVec2};
 
@@ -9,7 +9,7 @@ use super::scene_view::SceneView;
 use crate::base::plates;
 use crate::base::theme::ThemeColors;
 use crate::panels::audit::{color_text, tag};
-use crate::panels::outliner::item_name;
+use crate::panels::outliner::part_name;
 use crate::state::audit::PinnedPixel;
 use crate::state::context::Cx;
 
@@ -61,7 +61,7 @@ pub(crate) fn note(ui: &Ui, cx: &mut Cx<'_>, scene_view: &SceneView, palette: &T
     }
     let body = scene_view.body_at(scene_view.at(pos)).map(|hit| hit.body);
     let body = match body {
-        Some(body) => item_name(cx.texts, cx.editor.scene(), Item::Body(body)).into_owned(),
+        Some(body) => part_name(cx.texts, cx.editor.scene(), ScenePart::Body(body)).into_owned(),
         None => cx.t("audit-background").to_owned(),
     };
     let light = cx.audit.probed(pixel).map(|light| color_text(cx.texts, DVec3::from(light.map(f64::from))));

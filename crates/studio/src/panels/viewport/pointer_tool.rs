@@ -13,6 +13,7 @@ use super::gizmo::{Gizmo, GizmoHandle};
 use super::item_drag::ItemDrag;
 use super::light_aim::LightAim;
 use super::scene_view::{PointerTarget, SceneView};
+use crate::panels::outliner::body_of;
 use crate::state::command::Tool;
 use crate::state::context::Cx;
 
@@ -140,8 +141,8 @@ impl PointerTool {
         self.action = match holds.then(|| scene_view.target(cx, gizmo, at)) {
             Some(PointerTarget::Handle(handle)) => drag_handle(cx, scene_view, gizmo, handle, at),
             Some(PointerTarget::Mark(item)) => drag_item(cx, scene_view, (item, None), at, modifiers.alt),
-            Some(PointerTarget::Body { index, point }) => {
-                drag_item(cx, scene_view, (Item::Body(index), Some(point)), at, modifiers.alt)
+            Some(PointerTarget::Body { item, point }) => {
+                drag_item(cx, scene_view, (item, Some(point)), at, modifiers.alt)
             }
             _ => None,
         }
@@ -287,7 +288,7 @@ impl PointerTool {
         self.over = at.map(|at| scene_view.target(cx, gizmo, at));
         // Also behind handles: those of a selected body stand in its middle.
         cx.view.seen = at.and_then(|at| scene_view.seen_at(at));
-        let body = |over| if let Some(PointerTarget::Body { index, .. }) = over { Some(index) } else { None };
+        let body = |over| if let Some(PointerTarget::Body { item, .. }) = over { Some(item) } else { None };
         if self.over.is_some() {
             cx.view.hovered_body = body(self.over);
         } else if before.is_some() {
@@ -300,7 +301,7 @@ impl PointerTool {
     }
 
     fn cursor(&self, cx: &Cx<'_>) -> Option<CursorIcon> {
-        let scene = cx.editor.scene();
+        let edited = cx.editor.edited();
         match (&self.action, self.over) {
             (PointerAction::Orbit | PointerAction::Look, _) => Some(CursorIcon::AllScroll),
             (PointerAction::Pan, _) => Some(CursorIcon::Move),
@@ -313,11 +314,8 @@ impl PointerTool {
                 Some(CursorIcon::Crosshair)
             }
             (PointerAction::Idle, Some(PointerTarget::Handle(_))) => Some(CursorIcon::Grab),
-            (PointerAction::Idle, Some(PointerTarget::Mark(item))) => {
-                Some(grab_or_point(item.is_locked(scene)))
-            }
-            (PointerAction::Idle, Some(PointerTarget::Body { index, .. })) => {
-                Some(grab_or_point(Item::Body(index).is_locked(scene)))
+            (PointerAction::Idle, Some(PointerTarget::Mark(item) | PointerTarget::Body { item, .. })) => {
+                Some(grab_or_point(edited.is_locked(item)))
             }
             (PointerAction::Idle, _) => None,
         }
@@ -347,7 +345,7 @@ fn drag_item(
     at: DVec2,
     is_upright: bool,
 ) -> Option<PointerAction> {
-    if item.is_locked(cx.editor.scene()) {
+    if cx.editor.edited().is_locked(item) {
         return None;
     }
     if cx.editor.selection().contains(item) {
@@ -358,27 +356,26 @@ fn drag_item(
     } else {
         cx.editor.select(item);
     }
-    let scene = cx.editor.scene();
-    let lead = place_of(scene, item)?;
+    let edited = cx.editor.edited();
+    let lead = place_of(edited, item)?;
     let is_free = cx.view.free_camera.is_some();
-    let payload = DragPayload::take(scene, cx.editor.selection(), is_free, "edit-move")?;
+    let payload = DragPayload::take(edited, cx.editor.selection(), is_free, "edit-move")?;
     let drag = ItemDrag::begin(grabbed.unwrap_or(lead), lead, &scene_view.projector, at, is_upright);
     Some(PointerAction::DragItem(Box::new(ActiveDrag { drag, payload, at, amount: None })))
 }
 
 /// Begins to aim a light by its highlight or shadow: the selected one, else the first that is visible and not locked.
 fn aim_light(cx: &mut Cx<'_>, scene_view: &SceneView, at: DVec2, by_shadow: bool) -> Option<PointerAction> {
-    let scene = cx.editor.scene();
-    let is_free = |item: &Item| !item.is_locked(scene) && !item.is_hidden(scene);
-    let all = (0..scene.lights.len()).map(Item::Light);
-    let selected = cx.editor.selection().lights().map(Item::Light).find(is_free);
-    let item = selected.or_else(|| all.into_iter().find(is_free))?;
-    let Item::Light(light) = item else { return None };
-    let drag = LightAim::begin(scene_view, scene, light, at, by_shadow)?;
+    let edited = cx.editor.edited();
+    let is_free =
+        |item: &Item| matches!(item, Item::Light(_)) && !edited.is_locked(*item) && !edited.is_hidden(*item);
+    let selected = cx.editor.selection().iter().find(is_free);
+    let item = selected.or_else(|| edited.lights().find(is_free))?;
+    let drag = LightAim::begin(scene_view, place_of(edited, item)?, at, by_shadow)?;
     if cx.editor.selection().primary() != Some(item) {
         cx.editor.select(item);
     }
-    let payload = DragPayload::take(cx.editor.scene(), &item.into(), false, "edit-aim-light")?;
+    let payload = DragPayload::take(cx.editor.edited(), &item.into(), false, "edit-aim-light")?;
     Some(PointerAction::AimLight(Box::new(ActiveDrag { drag, payload, at, amount: None })))
 }
 
@@ -397,7 +394,7 @@ fn drag_handle(
         Tool::Scale => "edit-scale",
     };
     let is_free = cx.view.free_camera.is_some();
-    let payload = DragPayload::take(cx.editor.scene(), cx.editor.selection(), is_free, key)?;
+    let payload = DragPayload::take(cx.editor.edited(), cx.editor.selection(), is_free, key)?;
     let drag = HandleDrag::begin(gizmo, handle, &scene_view.projector, at)?;
     Some(PointerAction::DragHandle(Box::new(ActiveDrag { drag, payload, at, amount: None })))
 }
@@ -407,23 +404,20 @@ pub(crate) fn gizmo(cx: &Cx<'_>) -> Option<Gizmo> {
     if !cx.settings.shows_handles || cx.view.is_auditing || cx.view.is_aiming {
         return None;
     }
-    let scene = cx.editor.scene();
+    let edited = cx.editor.edited();
     let selection: &Selection = cx.editor.selection();
     let has_place = |item: &Item| match item {
         Item::Camera => cx.view.free_camera.is_some(),
-        other => !other.is_locked(scene) && !other.is_hidden(scene),
+        other => !edited.is_locked(*other) && !edited.is_hidden(*other),
     };
     let placed: Vec<(Item, glam::DVec3)> =
-        selection.iter().filter(has_place).filter_map(|item| Some((item, place_of(scene, item)?))).collect();
+        selection.iter().filter(has_place).filter_map(|item| Some((item, place_of(edited, item)?))).collect();
     let (primary, lead) = *placed.last()?;
     let pivot = placed.iter().map(|(_, place)| place).sum::<glam::DVec3>() / placed.len() as f64;
-    let own = match primary {
-        Item::Body(index) => scene.bodies.get(index).map(|body| {
-            let turn = body.placement.rotation();
-            [turn.x_axis, turn.y_axis, turn.z_axis]
-        }),
-        _ => None,
-    };
+    let own = body_of(edited, primary).map(|body| {
+        let turn = body.placement.rotation();
+        [turn.x_axis, turn.y_axis, turn.z_axis]
+    });
     // A point has neither turns nor sizes.
     let is_point = matches!(placed.as_slice(), [(Item::Light(_), _)]);
     let tool = match (cx.view.tool, primary) {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use catoptric_editor::Item;
 use catoptric_live::Live;
-use catoptric_scene::{Camera, Scene};
+use catoptric_scene::{Camera, Scene, ScenePart};
 use catoptric_tracer::{RayIntersection, RayOrigin, RenderCamera, RenderScene};
 use egui::{Pos2, Rect, pos2};
 use glam::{DVec2, DVec3};
@@ -44,9 +44,9 @@ pub(crate) enum PointerTarget {
     /// The arrow at the picture's edge towards one that is out of view.
     Arrow(Item),
     /// A body, at a point.
-    Body { index: usize, point: DVec3 },
+    Body { item: Item, point: DVec3 },
     /// A plane, or a body that surrounds the camera: it cannot be dragged.
-    Surroundings(usize),
+    Surroundings,
     /// Nothing.
     Nothing,
 }
@@ -147,7 +147,7 @@ impl SceneView {
         let mut near: Vec<(Item, f64)> = marks(cx)
             .into_iter()
             .filter_map(|item| {
-                let place = self.projector.project(place_of(cx.editor.scene(), item)?)?;
+                let place = self.projector.project(place_of(cx.editor.edited(), item)?)?;
                 Some((item, place.distance(at)))
             })
             .filter(|(_, distance)| *distance <= REACH)
@@ -169,9 +169,12 @@ impl SceneView {
         }
         match self.body_at(at) {
             Some(hit) if hit.hit.leaving || is_plane(cx.editor.scene(), hit.body) => {
-                PointerTarget::Surroundings(hit.body)
+                PointerTarget::Surroundings
             }
-            Some(hit) => PointerTarget::Body { index: hit.body, point: hit.position },
+            Some(hit) => match cx.editor.edited().item(ScenePart::Body(hit.body)) {
+                Some(item) => PointerTarget::Body { item, point: hit.position },
+                None => PointerTarget::Nothing,
+            },
             None => PointerTarget::Nothing,
         }
     }
@@ -180,9 +183,9 @@ impl SceneView {
     pub(crate) fn things_at(&self, cx: &Cx<'_>, at: DVec2) -> Vec<Item> {
         let mut marks = self.marks_at(cx, at);
         marks.extend(offscreen::arrow_at(cx, self, self.pos(at)));
-        let count = cx.editor.scene().bodies.len();
-        let bodies = self.bodies_at(at).into_iter().filter(|index| *index < count);
-        marks.into_iter().chain(bodies.map(Item::Body)).collect()
+        let bodies = self.bodies_at(at).into_iter();
+        marks.extend(bodies.filter_map(|index| cx.editor.edited().item(ScenePart::Body(index))));
+        marks
     }
 }
 
@@ -191,7 +194,7 @@ pub(crate) fn marks(cx: &Cx<'_>) -> Vec<Item> {
     if !cx.settings.shows_handles {
         return Vec::new();
     }
-    let lights = (0..cx.editor.scene().lights.len()).map(Item::Light);
+    let lights = cx.editor.edited().lights();
     let camera = cx.view.free_camera.is_some().then_some(Item::Camera);
     lights.chain(camera).collect()
 }

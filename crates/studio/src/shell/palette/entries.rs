@@ -100,23 +100,19 @@ fn recent(situation: CommandContext<'_>) -> impl Iterator<Item = PaletteItem> {
 }
 
 fn things(situation: CommandContext<'_>) -> impl Iterator<Item = PaletteItem> {
-    let scene = situation.editor.scene();
+    let edited = situation.editor.edited();
     let fixed = [Item::Camera, Item::Environment, Item::Tracing];
-    let items = fixed
-        .into_iter()
-        .chain((0..scene.lights.len()).map(Item::Light))
-        .chain((0..scene.bodies.len()).map(Item::Body))
-        .chain((0..scene.materials.len()).map(Item::Material));
+    let items = fixed.into_iter().chain(edited.lights()).chain(edited.bodies()).chain(edited.materials());
     let detail = situation.texts.get("palette-thing");
     items.map(move |item| {
-        let name = item_name(situation.texts, scene, item).into_owned();
+        let name = item_name(situation.texts, edited, item).into_owned();
         PaletteItem {
             names: vec![name.clone()],
             name,
             stable_name: None,
             detail: detail.to_owned(),
             tip: None,
-            icon: item_icon(scene, item),
+            icon: item_icon(edited, item),
             what: PaletteAction::Select(item),
         }
     })

@@ -1,6 +1,7 @@
 //! Every number, one by one.
 
 use super::*;
+use catoptric_scene::ScenePart;
 
 /// Sets a number by typing, holds it, and takes it back by the button beside it, if its default is another.
 fn adjusts(window: &mut Window, name: &str, value: f64, step: &str, get: impl Fn(&Scene) -> f64) {
@@ -31,7 +32,7 @@ fn a_unit_may_be_typed_in_narrow_fields_too() {
     let mut window = window("four-bodies", cube);
     enter(&mut window, "Position X", "2 m");
     enter(&mut window, "Rotation Y", "45°");
-    let Item::Body(index) = cube else { panic!() };
+    let ScenePart::Body(index) = cube else { panic!() };
     let anchor = scene(&window).bodies[index].placement.anchor;
     let Anchor::Frame { position, rotation_degrees } = anchor else { panic!("{anchor:?}") };
     assert_eq!((position.x, rotation_degrees.y), (2.0, 45.0));
@@ -156,7 +157,7 @@ fn the_same_coefficients_of_a_shared_material() {
         |scene: &Scene| scene.materials.iter().find(|named| named.name == "red").unwrap().material.clone();
     adjusts(&mut window, "k_d diffuse", 0.3, "edit-diffuse", |scene| red(scene).as_phong().unwrap().diffuse);
     let index = scene(&window).materials.iter().position(|named| named.name == "red").unwrap();
-    select(&mut window, [Item::Material(index)]);
+    select(&mut window, [ScenePart::Material(index)]);
     adjusts(&mut window, "k_t transmission", 0.5, "edit-transmission", |scene| {
         red(scene).as_phong().unwrap().transmission
     });
@@ -164,7 +165,7 @@ fn the_same_coefficients_of_a_shared_material() {
 
 #[test]
 fn lights() {
-    let mut window = window("four-bodies", Item::Light(1));
+    let mut window = window("four-bodies", ScenePart::Light(1));
     for (axis, letter) in ["X", "Y", "Z"].into_iter().enumerate() {
         adjusts(&mut window, &format!("Position {letter}"), 9.0 + axis as f64, "edit-position", |scene| {
             scene.lights[1].position[axis]
@@ -180,7 +181,7 @@ fn lights() {
 
 #[test]
 fn the_camera() {
-    let mut window = window("four-bodies", Item::Camera);
+    let mut window = window("four-bodies", ScenePart::Camera);
     for (axis, letter) in ["X", "Y", "Z"].into_iter().enumerate() {
         let value = 3.0 + axis as f64;
         adjusts(&mut window, &format!("Position {letter}"), value, "edit-camera-position", |scene| {
@@ -216,7 +217,7 @@ fn the_camera() {
 
 #[test]
 fn the_limits_of_tracing() {
-    for item in [Some(Item::Tracing), None] {
+    for item in [Some(ScenePart::Tracing), None] {
         let mut window = window("four-bodies", item);
         adjusts(&mut window, "Generations", 12.0, "edit-generations", |scene| {
             f64::from(scene.tracing.generations)

@@ -1,7 +1,7 @@
 //! Everything that is chosen rather than measured.
 
 use super::*;
-use catoptric_scene::{Material, ShapeKind};
+use catoptric_scene::{Material, ScenePart, ShapeKind};
 
 #[test]
 fn every_shape() {
@@ -115,7 +115,7 @@ fn a_medium_sets_the_index_of_refraction() {
 
 #[test]
 fn every_law_of_falloff() {
-    let mut window = window("four-bodies", Item::Light(0));
+    let mut window = window("four-bodies", ScenePart::Light(0));
     let laws = [
         ("linear", Falloff::Linear { constant: 1.0 }),
         ("inverse square", Falloff::InverseSquare),
@@ -131,7 +131,7 @@ fn every_law_of_falloff() {
 
 #[test]
 fn the_projection() {
-    let mut window = window("four-bodies", Item::Camera);
+    let mut window = window("four-bodies", ScenePart::Camera);
     for name in ["Parallel", "Perspective"] {
         let before = scene(&window);
         click(&mut window, Role::RadioButton, &format!("Projection: {name}"));
@@ -163,7 +163,7 @@ fn a_material_is_shared_made_own_and_chosen() {
 fn names_are_typed() {
     let mut window = window("four-bodies", None);
     for (item, new) in
-        [(body(&window, "cube"), "die"), (Item::Light(0), "sun"), (Item::Material(0), "ground")]
+        [(body(&window, "cube"), "die"), (ScenePart::Light(0), "sun"), (ScenePart::Material(0), "ground")]
     {
         select(&mut window, [item]);
         let before = scene(&window);
@@ -203,7 +203,7 @@ fn a_typed_name_is_taken_by_what_it_was_typed_for() {
     }
     window.run_steps(3);
     let cone = body(&window, "cone");
-    assert_eq!(window.state().editor().selection().primary(), Some(cone));
+    assert_eq!(window.state().editor().primary_part(), Some(cone));
     assert_eq!(cube.name(&scene(&window)), "die");
     select(&mut window, [cube]);
     select(&mut window, [cone]);
@@ -213,7 +213,7 @@ fn a_typed_name_is_taken_by_what_it_was_typed_for() {
 #[test]
 fn bodies_and_lights_are_hidden_and_locked() {
     let mut window = window("four-bodies", None);
-    for item in [body(&window, "cone"), Item::Light(1)] {
+    for item in [body(&window, "cone"), ScenePart::Light(1)] {
         select(&mut window, [item]);
         click(&mut window, Role::Button, "Hidden");
         assert!(item.is_hidden(&scene(&window)));

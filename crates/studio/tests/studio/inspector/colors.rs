@@ -1,6 +1,7 @@
 //! Colors: by code, by the picker, and brighter than white.
 
 use super::*;
+use catoptric_scene::ScenePart;
 
 /// Types `text` into the code of the color called `name`.
 fn enter_code(window: &mut Window, name: &str, text: &str) {
@@ -31,13 +32,13 @@ fn every_color_by_its_code() {
         holds_as_step(&mut window, &before, step);
     }
 
-    select(&mut window, [Item::Light(0)]);
+    select(&mut window, [ScenePart::Light(0)]);
     let before = scene(&window);
     enter_code(&mut window, "Color", "ff8010");
     assert_eq!(scene(&window).lights[0].color, orange);
     holds_as_step(&mut window, &before, "edit-color");
 
-    select(&mut window, [Item::Environment]);
+    select(&mut window, [ScenePart::Environment]);
     let before = scene(&window);
     enter_code(&mut window, "Background", "#ff8010");
     assert_eq!(scene(&window).environment.background, orange);
@@ -99,7 +100,7 @@ fn the_picker_changes_the_color_while_it_is_dragged() {
 
 #[test]
 fn light_can_be_brighter_than_white() {
-    let mut window = window("four-bodies", Item::Environment);
+    let mut window = window("four-bodies", ScenePart::Environment);
     let before = scene(&window);
     click(&mut window, Role::ColorWell, "Background");
     enter(&mut window, "Background: red", "3.5");

@@ -1,6 +1,7 @@
 //! The formula beside the material.
 
 use super::*;
+use catoptric_scene::ScenePart;
 
 fn is_lit(window: &Window, name: &str) -> bool {
     let node = window.get_by_label(name);
@@ -73,12 +74,12 @@ fn the_law_of_a_light_has_its_numbers() {
     let mut window = window("falloff", None);
     let scene = scene(&window);
     for (index, light) in scene.lights.iter().enumerate() {
-        select(&mut window, [Item::Light(index)]);
+        select(&mut window, [ScenePart::Light(index)]);
         let name = format!("Light sent: {}", light.intensity);
         assert!(window.query_by_label(&name).is_some(), "{name}");
     }
     let linear = scene.lights.iter().position(|light| matches!(light.falloff, Falloff::Linear { .. }));
-    select(&mut window, linear.map(Item::Light));
+    select(&mut window, linear.map(ScenePart::Light));
     enter(&mut window, "K constant", "3");
     window.get_by_label("Light sent: 3");
     window.get_by_label_contains("A(1 m) = 0.25");
@@ -89,15 +90,15 @@ fn every_panel_speaks_both_languages() {
     for language in ["english", "russian"] {
         let mut window = window_in(language, "still-life", None);
         let scene = scene(&window);
-        let mut items: Vec<Option<Item>> =
-            vec![None, Some(Item::Camera), Some(Item::Environment), Some(Item::Tracing)];
-        items.extend((0..scene.bodies.len()).map(|index| Some(Item::Body(index))));
-        items.extend((0..scene.lights.len()).map(|index| Some(Item::Light(index))));
-        items.extend((0..scene.materials.len()).map(|index| Some(Item::Material(index))));
+        let mut items: Vec<Option<ScenePart>> =
+            vec![None, Some(ScenePart::Camera), Some(ScenePart::Environment), Some(ScenePart::Tracing)];
+        items.extend((0..scene.bodies.len()).map(|index| Some(ScenePart::Body(index))));
+        items.extend((0..scene.lights.len()).map(|index| Some(ScenePart::Light(index))));
+        items.extend((0..scene.materials.len()).map(|index| Some(ScenePart::Material(index))));
         for item in items {
             select(&mut window, item);
         }
-        let all: Vec<Item> = (0..scene.bodies.len()).map(Item::Body).collect();
+        let all: Vec<ScenePart> = (0..scene.bodies.len()).map(ScenePart::Body).collect();
         select(&mut window, all);
         assert_eq!(own_missing(&window), Vec::<String>::new());
     }
@@ -109,9 +110,13 @@ fn a_narrow_panel_can_be_used() {
     click(&mut window, Role::CheckBox, "second color");
     for width in [500.0, 200.0, 60.0] {
         window.set_size(vec2(width, 600.0));
-        for item in
-            [body(&window, "sphere"), Item::Light(0), Item::Camera, Item::Environment, Item::Material(0)]
-        {
+        for item in [
+            body(&window, "sphere"),
+            ScenePart::Light(0),
+            ScenePart::Camera,
+            ScenePart::Environment,
+            ScenePart::Material(0),
+        ] {
             select(&mut window, [item]);
         }
     }

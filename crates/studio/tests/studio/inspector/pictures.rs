@@ -4,7 +4,7 @@ use catoptric_studio::{FileCommand, PictureCommand};
 use std::path::Path;
 
 use catoptric_picture::{Picture, write_exr};
-use catoptric_scene::{CheckerSpace, Image, Surroundings};
+use catoptric_scene::{CheckerSpace, Image, ScenePart, Surroundings};
 
 use super::*;
 use crate::kit::wait_until;
@@ -29,7 +29,7 @@ fn picture(window: &Window) -> Image {
 
 #[test]
 fn surroundings_are_a_color_a_sky_or_a_picture() {
-    let mut window = window("four-bodies", Item::Environment);
+    let mut window = window("four-bodies", ScenePart::Environment);
     let at_first = scene(&window);
     choose(&mut window, "Surroundings", "Gradient sky");
     assert!(scene(&window).environment.surroundings.sky().is_some());
@@ -115,7 +115,7 @@ fn a_picture_that_is_picked_is_the_one_that_is_there_now() {
     }
     let mut window = studio_with(host, StartDocument::Example("four-bodies".to_owned()));
     window.set_size(vec2(1280.0, 1700.0));
-    select(&mut window, [Item::Environment]);
+    select(&mut window, [ScenePart::Environment]);
     save_as(&mut window, "a.toml");
     assert_eq!(chosen_gray(&mut window), 0.25);
     write_gray(&here, 0.75, 3);
@@ -136,7 +136,7 @@ fn after_saving_elsewhere_every_step_finds_its_pictures() {
     }
     let mut window = studio_with(host.clone(), StartDocument::Example("four-bodies".to_owned()));
     window.set_size(vec2(1280.0, 1700.0));
-    select(&mut window, [Item::Environment]);
+    select(&mut window, [ScenePart::Environment]);
     save_as(&mut window, "a.toml");
     assert_eq!(chosen_gray(&mut window), 0.25);
     let resave = |window: &mut Window| {
@@ -188,7 +188,7 @@ fn pictures_of_files_are_named_from_the_folder_of_the_scene_and_move_with_it() {
     host.answer(Some(host.path("none.png")));
     let mut window = studio_with(host, StartDocument::Example("four-bodies".to_owned()));
     window.set_size(vec2(1280.0, 1700.0));
-    select(&mut window, [Item::Environment]);
+    select(&mut window, [ScenePart::Environment]);
     choose(&mut window, "Surroundings", "From a file…");
     opened(&mut window);
     assert_eq!(Some(picture(&window).path()), image.to_str(), "no file has the scene yet");

@@ -1,6 +1,8 @@
 //! What is typed wrongly, and what the scene would not be.
 
 use super::*;
+use crate::kit::item_at;
+use catoptric_scene::ScenePart;
 
 #[test]
 fn a_radius_that_cannot_be_leaves_the_scene_and_says_why() {
@@ -122,7 +124,7 @@ fn a_refused_component_leaves_the_others() {
 
 #[test]
 fn whole_numbers_stay_whole() {
-    let mut window = window("four-bodies", Item::Tracing);
+    let mut window = window("four-bodies", ScenePart::Tracing);
     let before = scene(&window);
     enter(&mut window, "Generations", "2.5");
     assert_eq!(scene(&window), before);
@@ -164,7 +166,7 @@ fn russian_numbers_have_a_comma() {
 
 #[test]
 fn a_camera_that_sees_nothing_is_refused() {
-    let mut window = window("four-bodies", Item::Camera);
+    let mut window = window("four-bodies", ScenePart::Camera);
     for (axis, text) in [("X", "0"), ("Y", "0"), ("Z", "0")] {
         enter(&mut window, &format!("Up {axis}"), text);
     }
@@ -178,9 +180,10 @@ fn a_camera_that_sees_nothing_is_refused() {
 #[test]
 fn a_locked_body_is_left_alone() {
     let mut window = window("four-bodies", None);
-    let item = body(&window, "cube");
+    let cube = body(&window, "cube");
+    let item = item_at(window.state(), cube);
     window.state_mut().editor_mut().apply(Action::SetLocked { item, locked: true }).unwrap();
-    select(&mut window, [item]);
+    select(&mut window, [cube]);
     let before = scene(&window);
     for name in ["Size X", "Position Y", "k_d diffuse"] {
         let node = window.get_by_role_and_label(Role::SpinButton, name);

@@ -1,6 +1,8 @@
 //! Several things at once.
 
 use super::*;
+use crate::kit::item_at;
+use catoptric_scene::ScenePart;
 
 fn positions(scene: &Scene, names: &[&str]) -> Vec<DVec3> {
     let of = |name: &&str| {
@@ -14,7 +16,7 @@ fn positions(scene: &Scene, names: &[&str]) -> Vec<DVec3> {
 fn bodies_move_by_the_same_offset_and_share_the_rest() {
     let mut window = window("four-bodies", None);
     let names = ["cube", "cylinder", "sphere"];
-    let items: Vec<Item> = names.iter().map(|name| body(&window, name)).collect();
+    let items: Vec<ScenePart> = names.iter().map(|name| body(&window, name)).collect();
     select(&mut window, items);
     window.get_by_label("3 bodies");
     let before = scene(&window);
@@ -45,8 +47,8 @@ fn bodies_move_by_the_same_offset_and_share_the_rest() {
 fn materials_of_several_bodies_change_together() {
     let mut window = window("four-bodies", None);
     let names = ["cube", "cylinder", "sphere"];
-    let items: Vec<Item> = names.iter().map(|name| body(&window, name)).collect();
-    window.state_mut().editor_mut().select(items[0]);
+    let items: Vec<ScenePart> = names.iter().map(|name| body(&window, name)).collect();
+    window.state_mut().editor_mut().select_parts([items[0]]);
     window.state_mut().editor_mut().apply(Action::MakeMaterialUnique).unwrap();
     select(&mut window, items);
     let before = scene(&window);
@@ -63,7 +65,8 @@ fn materials_of_several_bodies_change_together() {
 fn locked_ones_among_several_stay() {
     let mut window = window("four-bodies", None);
     let (cube, sphere) = (body(&window, "cube"), body(&window, "sphere"));
-    window.state_mut().editor_mut().apply(Action::SetLocked { item: sphere, locked: true }).unwrap();
+    let item = item_at(window.state(), sphere);
+    window.state_mut().editor_mut().apply(Action::SetLocked { item, locked: true }).unwrap();
     select(&mut window, [cube, sphere]);
     window.get_by_label_contains("1 of them is locked");
     let old = positions(&scene(&window), &["sphere", "cube"]);
@@ -76,7 +79,7 @@ fn locked_ones_among_several_stay() {
 #[test]
 fn lights_dim_together() {
     let mut window = window("four-bodies", None);
-    select(&mut window, [Item::Light(0), Item::Light(1)]);
+    select(&mut window, [ScenePart::Light(0), ScenePart::Light(1)]);
     window.get_by_label("2 lights");
     let before = scene(&window);
     let node = window.get_by_role_and_label(Role::SpinButton, "Intensity");

@@ -1,6 +1,7 @@
 //! Lights that are moved by their highlights and shadows.
 
 use super::*;
+use catoptric_scene::ScenePart;
 use catoptric_studio::ToolCommand;
 
 /// How far the shadow is dragged.
@@ -43,7 +44,7 @@ fn the_highlight_follows_the_pointer() {
         [DVec3::new(0.2, 0.3, 0.5), DVec3::new(-0.4, 0.5, 0.5)].map(|way| hand.place(center + way));
     hand.drag(from, to);
     hand.assert_highlight_at(to);
-    assert_eq!(hand.selected(), [Item::Light(0)]);
+    assert_eq!(hand.selected(), [ScenePart::Light(0)]);
     assert_eq!(hand.steps(), 1);
     // A click does it, too, on any body.
     let on_cube = hand.place(position(&before, CUBE) + DVec3::new(0.0, 0.1, 0.0));

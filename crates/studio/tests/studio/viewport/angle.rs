@@ -1,7 +1,9 @@
 //! The angle under which the point under the pointer is seen, told beside the curve of its material.
 
 use catoptric_editor::{Action, Label};
-use catoptric_scene::{Conductor, Dielectric, Material, MaterialChoice, MetalOptics, RefractiveIndex};
+use catoptric_scene::{
+    Conductor, Dielectric, Material, MaterialChoice, MetalOptics, RefractiveIndex, ScenePart,
+};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 use super::*;
@@ -10,7 +12,7 @@ impl Hand {
     /// Over a sphere of this material, which is selected.
     fn over(material: Material) -> Self {
         let mut hand = Self::new();
-        hand.select(&[Item::Body(SPHERE)]);
+        hand.select(&[ScenePart::Body(SPHERE)]);
         let choice = MaterialChoice::Inline(Box::new(material));
         hand.harness.state_mut().editor_mut().apply(Action::AssignMaterial(choice)).unwrap();
         hand.settle();

@@ -1,5 +1,6 @@
 //! The gizmo, and the handles of lights and of the camera.
 
+use catoptric_scene::ScenePart;
 use catoptric_studio::{CameraCommand, DisplayCommand, Tool, ToolCommand};
 
 use super::*;
@@ -25,7 +26,7 @@ impl Hand {
 #[test]
 fn an_arrow_moves_along_its_axis_alone() {
     let mut hand = Hand::new();
-    hand.select(&[Item::Body(SPHERE)]);
+    hand.select(&[ScenePart::Body(SPHERE)]);
     for axis in [DVec3::X, DVec3::Y] {
         let before = hand.scene().clone();
         let start = position(&before, SPHERE);
@@ -43,7 +44,7 @@ fn an_arrow_moves_along_its_axis_alone() {
 #[test]
 fn a_local_arrow_moves_along_the_bodys_own_axis() {
     let mut hand = Hand::new();
-    hand.select(&[Item::Body(CUBE)]);
+    hand.select(&[ScenePart::Body(CUBE)]);
     hand.run(ToolCommand::ToggleGizmoSpace);
     let before = hand.scene().clone();
     let start = position(&before, CUBE);
@@ -59,7 +60,7 @@ fn a_local_arrow_moves_along_the_bodys_own_axis() {
 #[test]
 fn a_ring_turns_about_its_axis() {
     let mut hand = Hand::new();
-    hand.select(&[Item::Body(CONE)]);
+    hand.select(&[ScenePart::Body(CONE)]);
     hand.run(ToolCommand::Take(Tool::Rotate));
     // From above, the ring about Y is a circle.
     hand.run(CameraCommand::LookAlong(catoptric_editor::navigate::ViewSide::Top));
@@ -85,7 +86,7 @@ fn a_ring_turns_about_its_axis() {
 #[test]
 fn several_bodies_turn_about_their_middle() {
     let mut hand = Hand::new();
-    hand.select(&[Item::Body(SPHERE), Item::Body(CYLINDER)]);
+    hand.select(&[ScenePart::Body(SPHERE), ScenePart::Body(CYLINDER)]);
     hand.run(ToolCommand::Take(Tool::Rotate));
     hand.run(CameraCommand::LookAlong(catoptric_editor::navigate::ViewSide::Top));
     let before = hand.scene().clone();
@@ -114,7 +115,7 @@ fn several_bodies_turn_about_their_middle() {
 #[test]
 fn a_cube_scales_along_its_axis() {
     let mut hand = Hand::new();
-    hand.select(&[Item::Body(CUBE)]);
+    hand.select(&[ScenePart::Body(CUBE)]);
     hand.run(ToolCommand::Take(Tool::Scale));
     hand.run(ToolCommand::ToggleGizmoSpace);
     let before = hand.scene().clone();
@@ -142,7 +143,7 @@ fn a_cube_scales_along_its_axis() {
 #[test]
 fn escape_abandons_a_pull() {
     let mut hand = Hand::new();
-    hand.select(&[Item::Body(SPHERE)]);
+    hand.select(&[ScenePart::Body(SPHERE)]);
     let before = hand.scene().clone();
     let pivot = position(&before, SPHERE);
     let from = hand.arrow(pivot, DVec3::Y);
@@ -172,7 +173,7 @@ fn a_light_is_chosen_and_dragged_by_its_handle() {
     let at = hand.place(light);
     assert!(hand.harness.state().viewport_rect().unwrap().shrink(20.0).contains(at), "{at}");
     hand.click(at);
-    assert_eq!(hand.selected(), [Item::Light(1)]);
+    assert_eq!(hand.selected(), [ScenePart::Light(1)]);
     hand.hold(Modifiers::ALT);
     // Beside the gizmo's center, which is at the light itself.
     let from = at + Vec2::new(8.0, 8.0);
@@ -200,7 +201,7 @@ fn the_scenes_camera_is_a_thing_in_the_free_view() {
     let at = hand.place(before.camera.position);
     assert!(hand.harness.state().viewport_rect().unwrap().contains(at), "{at}");
     hand.click(at);
-    assert_eq!(hand.selected(), [Item::Camera], "{at}");
+    assert_eq!(hand.selected(), [ScenePart::Camera], "{at}");
     hand.select(&[]);
     hand.drag(at, at + Vec2::new(50.0, 0.0));
     let camera = hand.scene().camera;
@@ -213,7 +214,7 @@ fn the_scenes_camera_is_a_thing_in_the_free_view() {
 #[test]
 fn without_handles_nothing_but_bodies_is_taken() {
     let mut hand = Hand::new();
-    hand.select(&[Item::Body(SPHERE)]);
+    hand.select(&[ScenePart::Body(SPHERE)]);
     hand.run(DisplayCommand::ToggleHandles);
     let before = hand.scene().clone();
     let pivot = position(&before, SPHERE);
@@ -226,17 +227,17 @@ fn without_handles_nothing_but_bodies_is_taken() {
 fn the_picture_tells_what_is_selected_and_brackets_go_on() {
     use egui_kittest::kittest::Queryable as _;
     let mut hand = Hand::new();
-    hand.select(&[Item::Body(SPHERE)]);
+    hand.select(&[ScenePart::Body(SPHERE)]);
     hand.harness.get_by_label_contains("Selected: sphere");
     hand.tap(Key::CloseBracket);
     hand.harness.run_steps(2);
-    assert_eq!(hand.selected(), [Item::Body(CUBE)]);
+    assert_eq!(hand.selected(), [ScenePart::Body(CUBE)]);
     hand.hold(Modifiers::CTRL);
     hand.tap(Key::Tab);
     hand.hold(Modifiers::NONE);
     hand.harness.run_steps(2);
-    assert_eq!(hand.selected(), [Item::Body(CYLINDER)]);
+    assert_eq!(hand.selected(), [ScenePart::Body(CYLINDER)]);
     hand.tap(Key::OpenBracket);
     hand.harness.run_steps(2);
-    assert_eq!(hand.selected(), [Item::Body(CUBE)]);
+    assert_eq!(hand.selected(), [ScenePart::Body(CUBE)]);
 }

@@ -1,6 +1,8 @@
 //! Choosing and carrying.
 
 use super::*;
+use crate::kit::item_at;
+use catoptric_scene::ScenePart;
 
 #[test]
 fn a_click_selects_the_body_that_is_seen() {
@@ -10,11 +12,14 @@ fn a_click_selects_the_body_that_is_seen() {
         let point = position(hand.scene(), body) + above * DVec3::Y;
         let at = hand.place(point);
         hand.click(at);
-        assert_eq!(hand.selected(), [Item::Body(body)]);
+        assert_eq!(hand.selected(), [ScenePart::Body(body)]);
     }
     // Emptiness deselects.
     let place = hand.place(DVec3::new(-1.2, 0.0, 2.6));
-    let hide = catoptric_editor::Action::SetHidden { item: Item::Body(FLOOR), hidden: true };
+    let hide = catoptric_editor::Action::SetHidden {
+        item: item_at(hand.harness.state(), ScenePart::Body(FLOOR)),
+        hidden: true,
+    };
     hand.harness.state_mut().editor_mut().apply(hide).unwrap();
     hand.settle();
     hand.click(place);
@@ -27,15 +32,15 @@ fn clicks_at_the_same_place_go_to_what_is_behind() {
     let mut hand = Hand::new();
     let at = hand.place(position(hand.scene(), SPHERE));
     hand.click(at);
-    assert_eq!(hand.selected(), [Item::Body(SPHERE)]);
+    assert_eq!(hand.selected(), [ScenePart::Body(SPHERE)]);
     hand.click(at + Vec2::new(2.0, 1.0));
-    assert_eq!(hand.selected(), [Item::Body(FLOOR)]);
+    assert_eq!(hand.selected(), [ScenePart::Body(FLOOR)]);
     // Behind the last comes the first.
     hand.click(at);
-    assert_eq!(hand.selected(), [Item::Body(SPHERE)]);
+    assert_eq!(hand.selected(), [ScenePart::Body(SPHERE)]);
     // Elsewhere, it begins anew.
     hand.click(at + Vec2::new(9.0, 0.0));
-    assert_eq!(hand.selected(), [Item::Body(SPHERE)]);
+    assert_eq!(hand.selected(), [ScenePart::Body(SPHERE)]);
 }
 
 #[test]
@@ -45,10 +50,10 @@ fn shift_and_ctrl_add_and_take_away() {
     hand.click(places[0]);
     hand.hold(Modifiers::SHIFT);
     hand.click(places[1]);
-    assert_eq!(hand.selected(), [Item::Body(SPHERE), Item::Body(CYLINDER)]);
+    assert_eq!(hand.selected(), [ScenePart::Body(SPHERE), ScenePart::Body(CYLINDER)]);
     hand.hold(Modifiers::COMMAND);
     hand.click(places[0]);
-    assert_eq!(hand.selected(), [Item::Body(CYLINDER)]);
+    assert_eq!(hand.selected(), [ScenePart::Body(CYLINDER)]);
 }
 
 #[test]
@@ -59,7 +64,7 @@ fn a_body_is_dragged_along_the_ground_and_stays_under_the_pointer() {
     let from = hand.place(start);
     let to = from + Vec2::new(90.0, 40.0);
     hand.drag(from, to);
-    assert_eq!(hand.selected(), [Item::Body(SPHERE)]);
+    assert_eq!(hand.selected(), [ScenePart::Body(SPHERE)]);
     assert_only_moved(&before, &hand.scene().clone(), &[SPHERE]);
     let moved = position(hand.scene(), SPHERE);
     assert_eq!(moved.y, start.y);
@@ -128,13 +133,15 @@ fn what_is_in_the_hand_is_neither_deleted_nor_undone() {
 #[test]
 fn all_that_is_selected_goes_along_but_what_is_locked() {
     let mut hand = Hand::new();
-    hand.select(&[Item::Body(CONE), Item::Body(CYLINDER), Item::Light(0), Item::Body(SPHERE)]);
-    let locked = hand
-        .harness
-        .state_mut()
-        .editor_mut()
-        .apply(catoptric_editor::Action::SetLocked { item: Item::Body(CYLINDER), locked: true });
-    locked.unwrap();
+    hand.select(&[
+        ScenePart::Body(CONE),
+        ScenePart::Body(CYLINDER),
+        ScenePart::Light(0),
+        ScenePart::Body(SPHERE),
+    ]);
+    let item = item_at(hand.harness.state(), ScenePart::Body(CYLINDER));
+    let lock = catoptric_editor::Action::SetLocked { item, locked: true };
+    hand.harness.state_mut().editor_mut().apply(lock).unwrap();
     hand.settle();
     let before = hand.scene().clone();
     let from = hand.place(position(&before, CONE) + 0.4 * DVec3::Y);
@@ -153,13 +160,16 @@ fn all_that_is_selected_goes_along_but_what_is_locked() {
 #[test]
 fn a_locked_body_can_be_selected_but_does_not_move() {
     let mut hand = Hand::new();
-    let lock = catoptric_editor::Action::SetLocked { item: Item::Body(SPHERE), locked: true };
+    let lock = catoptric_editor::Action::SetLocked {
+        item: item_at(hand.harness.state(), ScenePart::Body(SPHERE)),
+        locked: true,
+    };
     hand.harness.state_mut().editor_mut().apply(lock).unwrap();
     hand.settle();
     let before = hand.scene().clone();
     let from = hand.place(position(&before, SPHERE));
     hand.click(from);
-    assert_eq!(hand.selected(), [Item::Body(SPHERE)]);
+    assert_eq!(hand.selected(), [ScenePart::Body(SPHERE)]);
     hand.drag(from + Vec2::new(10.0, 0.0), from + Vec2::new(80.0, 0.0));
     assert_eq!(hand.scene().bodies, before.bodies);
     // The view turns instead.
@@ -189,7 +199,7 @@ fn the_right_button_opens_a_menu_about_what_it_points_at() {
     hand.button(PointerButton::Secondary, true);
     hand.button(PointerButton::Secondary, false);
     hand.harness.run_steps(3);
-    assert_eq!(hand.selected(), [Item::Body(CONE)]);
+    assert_eq!(hand.selected(), [ScenePart::Body(CONE)]);
     let name = hand.harness.state().texts().get("command-delete").to_owned();
     use egui_kittest::kittest::Queryable as _;
     hand.harness.get_by_label(&name).click();

@@ -1,6 +1,7 @@
 //! Keys that are held, and releases that come otherwise or never.
 
 use catoptric_editor::navigate::CameraRange;
+use catoptric_scene::ScenePart;
 use catoptric_studio::{CameraCommand, FileCommand, SelectionCommand, WindowCommand};
 
 use super::looking::distance;
@@ -108,7 +109,7 @@ fn a_key_that_stops_repeating_is_let_go() {
 #[test]
 fn typed_keys_and_those_of_dialogs_steer_nothing() {
     let mut hand = Hand::new();
-    hand.select(&[Item::Body(SPHERE)]);
+    hand.select(&[ScenePart::Body(SPHERE)]);
     let before = hand.scene().camera;
     hand.run(SelectionCommand::Rename);
     stroke(&mut hand, Key::Plus, Key::Equals, true);

@@ -1,10 +1,11 @@
 //! Moving the camera.
 
 use catoptric_editor::navigate::ViewSide;
-use catoptric_scene::{Camera, Projection};
+use catoptric_scene::{Camera, Projection, ScenePart};
 use catoptric_studio::{CameraCommand, WindowCommand};
 
 use super::*;
+use crate::kit::item_at;
 
 /// Asserts that two cameras stand at the same place and look at the same point: the picture may show more beside it.
 #[track_caller]
@@ -54,7 +55,10 @@ fn the_floor_stops_an_orbit() {
     let camera = hand.scene().camera;
     assert!(camera.position.y > 0.0 && camera.position.y < 0.05, "{camera:?}");
     // Without the floor there is nothing in the way.
-    let hide = catoptric_editor::Action::SetHidden { item: Item::Body(FLOOR), hidden: true };
+    let hide = catoptric_editor::Action::SetHidden {
+        item: item_at(hand.harness.state(), ScenePart::Body(FLOOR)),
+        hidden: true,
+    };
     hand.harness.state_mut().editor_mut().apply(hide).unwrap();
     hand.settle();
     let sky = hand.harness.state().viewport_rect().unwrap().right_bottom() - Vec2::splat(60.0);
@@ -203,7 +207,7 @@ fn a_flight_ends_where_a_dialog_begins() {
 #[test]
 fn framing_and_looking_along_an_axis_arrive() {
     let mut hand = Hand::new();
-    hand.select(&[Item::Body(CONE)]);
+    hand.select(&[ScenePart::Body(CONE)]);
     let before = hand.scene().clone();
     hand.run(CameraCommand::FrameSelection);
     let camera = hand.scene().camera;

@@ -1,7 +1,7 @@
 //! New things appear in view, clear of others, at a size that suits the picture.
 
 use catoptric_editor::bounds;
-use catoptric_scene::{Body, Placement, Shape, ShapeKind};
+use catoptric_scene::{Body, Placement, ScenePart, Shape, ShapeKind};
 use catoptric_studio::{AddCommand, StartDocument};
 
 use super::*;
@@ -52,7 +52,7 @@ impl Hand {
         let [least, most] =
             [f32::min, f32::max].map(|pick| corners.iter().map(|at| at.y).reduce(pick).unwrap());
         assert!(most - least > 10.0, "{of}: {} points high", most - least);
-        assert_eq!(self.selected(), [Item::Body(index)], "{of}");
+        assert_eq!(self.selected(), [ScenePart::Body(index)], "{of}");
         let eye = self.harness.state().live().latest().unwrap().camera.position;
         let others =
             scene.bodies.iter().take(index).filter(|other| !other.hidden && other.shape != Shape::Plane);
@@ -180,7 +180,7 @@ fn an_arrow_at_the_edge_leads_to_a_light_out_of_view() {
             hand.click(*pos);
             hand.harness.step();
         }
-        hand.selected() == [Item::Light(0)]
+        hand.selected() == [ScenePart::Light(0)]
     });
     let found = found.expect("an arrow on the way");
     // At the top, the bar over the picture takes 20 points more.

@@ -1,11 +1,11 @@
-//! The two kinds of lists that a scene has, alike for a difference.
+//! The two kinds of lists that a scene has, alike for what compares them.
 
 use std::ops::Range;
 
 use catoptric_scene::List;
 
 /// A list of a scene.
-pub(super) trait Sequence<T> {
+pub(crate) trait Sequence<T> {
     /// The number of elements.
     fn count(&self) -> usize;
 
