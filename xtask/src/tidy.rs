@@ -12,13 +12,17 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("optics", &[]),
     ("picture", &["files"]),
     ("scene", &["files", "optics", "picture"]),
+    ("exchange", &["scene"]),
     ("tracer", &["scene", "picture", "optics"]),
     ("gpu", &["tracer", "picture"]),
     ("editor", &["scene", "files"]),
     ("live", &["gpu", "tracer", "scene", "picture"]),
     ("lab", &["tracer", "scene", "picture", "files", "optics"]),
-    ("studio", &["lab", "live", "editor", "gpu", "tracer", "scene", "picture", "files", "optics"]),
-    ("catoptric", &["studio", "lab", "gpu", "tracer", "scene", "picture", "files"]),
+    (
+        "studio",
+        &["lab", "live", "editor", "gpu", "tracer", "exchange", "scene", "picture", "files", "optics"],
+    ),
+    ("catoptric", &["studio", "lab", "gpu", "tracer", "exchange", "scene", "picture", "files"]),
 ];
 
 const LONGEST_FILE: usize = 600;

@@ -21,11 +21,11 @@ pub use camera::{Camera, Projection};
 pub use color::Color;
 pub use environment::{Environment, Sky, Surroundings};
 pub use examples::Example;
-pub use file::{LoadError, LoadedScene, load, load_partly, save};
+pub use file::{LoadError, LoadedScene, load, load_partly, read_file, save};
 pub use format::{
-    AddressError, Diagnostic, Diagnostics, LONGEST_TEXT, ParsedScene, Problem, Related, SceneEdit, SceneKey,
-    ScenePart, ScenePath, SceneValue, Severity, Warned, json_schema, read, read_bytes, update, write,
-    write_fragment,
+    AddressError, Diagnostic, Diagnostics, LONGEST_TEXT, Number, ParsedScene, Phrase, Problem, Related,
+    SceneEdit, SceneKey, ScenePart, ScenePath, SceneValue, Sentence, Severity, Warned, decode, json_schema,
+    nearest, read, read_bytes, update, write, write_fragment,
 };
 pub use image::{Image, ImageError, ImageFault, ImageSource, UnreadableKind};
 pub use language::Language;

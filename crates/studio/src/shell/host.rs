@@ -10,6 +10,7 @@ use std::task::{Context, Poll, Wake, Waker};
 use std::thread::Thread;
 use std::time::{Duration, Instant};
 
+use catoptric_exchange::ForeignFormat;
 use catoptric_picture::PictureFormat;
 
 /// A dialog that is gone within this has not been seen.
@@ -18,8 +19,10 @@ const FASTEST: Duration = Duration::from_millis(250);
 /// The kind of file that a person chooses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FileKind {
-    /// A scene: `.toml`.
+    /// A scene to be written: `.toml`.
     Scene,
+    /// A scene to be read: `.toml`, or one of another ray tracer.
+    ReadScene,
     /// A picture of any format that is read.
     Picture,
     /// A picture to be written.
@@ -37,6 +40,10 @@ impl FileKind {
     pub fn extensions(self) -> Vec<&'static str> {
         match self {
             Self::Scene => vec!["toml"],
+            Self::ReadScene => {
+                let foreign = ForeignFormat::ALL.into_iter().flat_map(|format| format.extensions());
+                std::iter::once("toml").chain(foreign.copied()).collect()
+            }
             Self::Picture => PictureFormat::all_extensions(false).collect(),
             Self::SavedPicture => PictureFormat::all_extensions(true).collect(),
             Self::Drawing => vec!["svg"],
