@@ -123,7 +123,7 @@ pub(crate) fn file(
     let (loaded, foreign) = match ForeignFormat::of_path(path) {
         Some(format) => {
             let ImportArguments { dialect, approximate } = import;
-            let options = ImportOptions { dialect, approximate, size: size.map(Into::into) };
+            let options = ImportOptions { dialect, is_approximate: approximate, size: size.map(Into::into) };
             let (loaded, size) = catoptric_exchange::load(path, format, &options)?;
             (loaded, Some(ForeignPicture { size }))
         }

@@ -5,7 +5,7 @@ use std::ops::Range;
 use catoptric_scene::{Body, Diagnostic, Diagnostics, Light, Scene, ScenePart, Sentence, Severity};
 
 use crate::message::Message;
-use crate::{ImportOptions, Imported};
+use crate::{ImportOptions, ImportedScene};
 
 /// The findings about a text that is too long to be read.
 pub(crate) fn too_long() -> Diagnostics {
@@ -78,7 +78,7 @@ impl Draft {
 
     /// Says that the scene cannot say something, and what stands in its place: an error, unless the options allow it.
     pub(crate) fn unsupported(&mut self, span: &Range<usize>, message: Message, instead: Message) {
-        let finding = if self.options.approximate {
+        let finding = if self.options.is_approximate {
             Diagnostic::said(Severity::Warning, span.clone(), message).labeled(instead)
         } else {
             let help = Message::Approximate { instead: instead.into() };
@@ -110,7 +110,7 @@ impl Draft {
     }
 
     /// The scene, if it is one: what no scene may have is an error of what describes it.
-    pub(crate) fn finish(mut self, text: &str) -> Result<Imported, Diagnostics> {
+    pub(crate) fn finish(mut self, text: &str) -> Result<ImportedScene, Diagnostics> {
         self.scene.bodies = std::mem::take(&mut self.bodies).into();
         if !self.has_errors() {
             for problem in self.scene.check() {
@@ -130,6 +130,6 @@ impl Draft {
             self.found.retain(|finding| finding.severity != Severity::Note);
             return Err(self.found);
         }
-        Ok(Imported { scene: self.scene, report: self.found, size: self.size })
+        Ok(ImportedScene { scene: self.scene, report: self.found, size: self.size })
     }
 }

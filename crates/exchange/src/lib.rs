@@ -9,7 +9,7 @@ mod message;
 mod minirt;
 mod nff;
 mod placement;
-mod written;
+mod scene_text;
 
 use std::path::Path;
 
@@ -17,7 +17,7 @@ use catoptric_scene::{Diagnostics, LoadError, LoadedScene, Scene, decode, read_f
 
 pub use format::ForeignFormat;
 pub use minirt::{Dialect, UnknownDialect};
-pub use written::{ExportError, ExportOptions, Exported};
+pub use scene_text::{ExportError, ExportOptions, ExportedScene};
 
 /// The longest file that is read, bytes: 16 MiB.
 pub const LONGEST_FILE: usize = 16 << 20;
@@ -32,7 +32,7 @@ pub struct ImportOptions {
     pub dialect: Dialect,
     /// Whether what a scene cannot say is replaced by what comes nearest, or left out, with a warning for each.
     /// Default false: it is an error.
-    pub approximate: bool,
+    pub is_approximate: bool,
     /// Width and height of the picture, pixels, instead of those of the file: a horizontal angle of view depends on
     /// them.
     pub size: Option<[u32; 2]>,
@@ -40,7 +40,7 @@ pub struct ImportOptions {
 
 /// A scene that was read from a file of another program.
 #[derive(Clone, Debug)]
-pub struct Imported {
+pub struct ImportedScene {
     /// The scene.
     pub scene: Scene,
     /// What was interpreted (notes), and what could not be taken over exactly (warnings).
@@ -53,7 +53,11 @@ pub struct Imported {
 ///
 /// # Errors
 /// All errors of the text, with their places.
-pub fn read(format: ForeignFormat, text: &str, options: &ImportOptions) -> Result<Imported, Diagnostics> {
+pub fn read(
+    format: ForeignFormat,
+    text: &str,
+    options: &ImportOptions,
+) -> Result<ImportedScene, Diagnostics> {
     if text.len() > LONGEST_FILE {
         return Err(draft::too_long());
     }
@@ -77,7 +81,9 @@ pub fn load(
     let failed = |(diagnostics, text)| LoadError::Diagnostics { path: path.to_owned(), text, diagnostics };
     let text = decode(read_file(path, LONGEST_FILE)?).map_err(failed)?;
     match read(format, &text, options) {
-        Ok(Imported { scene, report, size }) => Ok((LoadedScene { scene, text, warnings: report }, size)),
+        Ok(ImportedScene { scene, report, size }) => {
+            Ok((LoadedScene { scene, text, warnings: report }, size))
+        }
         Err(diagnostics) => Err(failed((diagnostics, text))),
     }
 }
@@ -86,7 +92,11 @@ pub fn load(
 ///
 /// # Errors
 /// All that the format cannot say, unless the options allow to leave it out.
-pub fn write(format: ForeignFormat, scene: &Scene, options: &ExportOptions) -> Result<Exported, ExportError> {
+pub fn write(
+    format: ForeignFormat,
+    scene: &Scene,
+    options: &ExportOptions,
+) -> Result<ExportedScene, ExportError> {
     let written = match format {
         ForeignFormat::MiniRt => minirt::write(scene, options),
         ForeignFormat::Challenge => challenge::write(scene, options),

@@ -4,7 +4,7 @@ use catoptric_scene::{Number, Sentence};
 
 use crate::challenge::Kind;
 use crate::minirt::Argument;
-use crate::written::Title;
+use crate::scene_text::Title;
 
 catoptric_scene::messages! {
     // All formats.
@@ -20,6 +20,9 @@ catoptric_scene::messages! {
     LeftOut:
         "it is left out",
         "это пропускается";
+    TakenAsItIs:
+        "it is taken as it is",
+        "это берётся как есть";
     NotANumber { word: String }:
         "`{word}` is not a number",
         "`{word}` — не число";

@@ -2,11 +2,11 @@
 
 use std::path::Path;
 
-use anyhow::{Context as _, Result, bail};
-use catoptric_exchange::{ExportOptions, ForeignFormat};
+use anyhow::{Result, bail};
+use catoptric_exchange::{ExportError, ExportOptions, ForeignFormat};
 use catoptric_files::{directory_of_file, is_stream};
 use catoptric_picture::{PictureFormat, ReadOptions};
-use catoptric_scene::{HasImages as _, Image, Language, visible, write};
+use catoptric_scene::{HasImages as _, Image, Language, Sentence, visible, write};
 
 use super::CommandOutcome;
 use crate::arguments::ConvertArguments;
@@ -27,7 +27,7 @@ pub(crate) fn run(arguments: &ConvertArguments) -> Result<CommandOutcome> {
     match (OutputKind::of(from), kind_to_write(from, to, *format)?) {
         (_, OutputKind::Scene) if is_scene => write_scene(arguments, None, &mut files)?,
         (_, OutputKind::ForeignScene(format)) if is_scene => {
-            write_scene(arguments, Some(format), &mut files)?
+            write_scene(arguments, Some(format), &mut files)?;
         }
         (Some(OutputKind::Scene | OutputKind::ForeignScene(_)), OutputKind::Picture(_)) => {
             bail!("{} is a scene: `catoptric render` makes a picture of it", from.display())
@@ -78,13 +78,19 @@ fn write_scene(
     let mut scene = input.loaded.scene;
     if let Some(format) = format {
         let asked = input.foreign.and_then(|foreign| foreign.size);
-        let options = ExportOptions { approximate: import.approximate, size: size.map(Into::into).or(asked) };
-        let written = catoptric_exchange::write(format, &scene, &options).with_context(|| {
-            format!("cannot write {}; --approximate leaves out what it cannot say", to.display())
-        })?;
-        for lost in &written.lost {
-            say(&format!("warning: {}", visible(lost.text(Language::English))));
-        }
+        let options =
+            ExportOptions { is_approximate: import.approximate, size: size.map(Into::into).or(asked) };
+        let written = match catoptric_exchange::write(format, &scene, &options) {
+            Ok(written) => written,
+            Err(ExportError { lost }) => {
+                tell("error", &lost);
+                bail!(
+                    "cannot write {}: the format cannot say this; --approximate leaves it out",
+                    to.display()
+                );
+            }
+        };
+        tell("warning", &written.lost);
         return files.write(to, written.text.as_bytes());
     }
     let (old, new) = (folder_of(from), folder_of(to));
@@ -94,6 +100,13 @@ fn write_scene(
         }
     });
     files.write(to, write(&scene).as_bytes())
+}
+
+/// Says what a format cannot say, on a line each.
+fn tell(severity: &str, lost: &[Sentence]) {
+    for sentence in lost {
+        say(&format!("{severity}: {}", visible(sentence.text(Language::English))));
+    }
 }
 
 /// Where the paths of pictures begin: in a stream, where the program was started.

@@ -5,7 +5,7 @@ use std::ops::Range;
 use catoptric_scene::{Color, Material, Pattern, Phong};
 
 use crate::challenge::pattern::Surface;
-use crate::challenge::read::Reader;
+use crate::challenge::read::ChallengeReader;
 use crate::challenge::table::{self, Table};
 use crate::challenge::yaml::Node;
 use crate::message::Message;
@@ -25,7 +25,7 @@ pub(super) fn default_material() -> Phong {
     }
 }
 
-impl Reader {
+impl ChallengeReader {
     /// The material that a table describes, or the name of one.
     pub(super) fn material(&mut self, node: &Node, surface: &Surface<'_>) -> Option<Material> {
         let mut phong = default_material();

@@ -3,7 +3,7 @@
 use catoptric_scene::{Checker, CheckerSpace, Color, Pattern, Placement};
 use glam::{DAffine3, DVec3};
 
-use crate::challenge::read::Reader;
+use crate::challenge::read::ChallengeReader;
 use crate::challenge::table::{self, Table};
 use crate::challenge::yaml::Node;
 use crate::message::Message;
@@ -21,7 +21,7 @@ pub(super) struct Surface<'p> {
     pub(super) is_plane: bool,
 }
 
-impl Reader {
+impl ChallengeReader {
     /// The pattern of a material.
     pub(super) fn pattern(&mut self, node: &Node, surface: &Surface<'_>) -> Option<Pattern> {
         let mut pattern = Table::open(node, "pattern", &mut self.draft)?;

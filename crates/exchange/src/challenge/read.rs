@@ -13,7 +13,7 @@ use crate::challenge::table::{self, Table};
 use crate::challenge::yaml::{MOST_DEEP, Node, Value, parse};
 use crate::draft::Draft;
 use crate::message::Message;
-use crate::{DEFAULT_SIZE, ImportOptions, Imported};
+use crate::{DEFAULT_SIZE, ImportOptions, ImportedScene};
 
 /// The most parts that definitions may make: bodies, groups and transforms.
 const MOST_PARTS: usize = 200_000;
@@ -23,13 +23,13 @@ const SHAPES: [&str; 8] = ["camera", "light", "sphere", "plane", "cube", "cylind
 const NOT_DRAWN: [&str; 5] = ["csg", "obj", "obj-file", "triangle", "smooth-triangle"];
 
 /// Reads a scene. All errors are reported at once, but for those of the YAML, which end it.
-pub(crate) fn read(text: &str, options: &ImportOptions) -> Result<Imported, Diagnostics> {
-    let mut reader = Reader {
+pub(crate) fn read(text: &str, options: &ImportOptions) -> Result<ImportedScene, Diagnostics> {
+    let mut reader = ChallengeReader {
         draft: Draft::new(options),
         definitions: HashMap::new(),
         camera: None,
         parts: 0,
-        said: Said::default(),
+        said: WarningFlags::default(),
     };
     if let Some(root) = parse(text, &mut reader.draft) {
         reader.scene(&root);
@@ -41,7 +41,7 @@ pub(crate) fn read(text: &str, options: &ImportOptions) -> Result<Imported, Diag
 
 /// What is said once about a file.
 #[derive(Default)]
-pub(super) struct Said {
+pub(super) struct WarningFlags {
     pub(super) shadows: bool,
     pub(super) schlick: bool,
     too_many: bool,
@@ -50,7 +50,7 @@ pub(super) struct Said {
 
 /// The groups and definitions around an object.
 #[derive(Clone)]
-struct Surrounding {
+struct ObjectContext {
     world_from_object: DAffine3,
     /// The outermost material counts.
     material: Option<Rc<Node>>,
@@ -58,16 +58,16 @@ struct Surrounding {
 }
 
 /// A scene that is being read.
-pub(super) struct Reader {
+pub(super) struct ChallengeReader {
     pub(super) draft: Draft,
     definitions: HashMap<String, Rc<Node>>,
     camera: Option<Range<usize>>,
     /// How many parts were made.
     parts: usize,
-    pub(super) said: Said,
+    pub(super) said: WarningFlags,
 }
 
-impl Reader {
+impl ChallengeReader {
     /// The value that was defined under a name.
     pub(super) fn definition(&self, name: &str) -> Option<Rc<Node>> {
         self.definitions.get(name).map(Rc::clone)
@@ -126,8 +126,8 @@ impl Reader {
         if has("define") {
             self.define(item);
         } else if has("add") {
-            let around = Surrounding { world_from_object: DAffine3::IDENTITY, material: None, depth: 0 };
-            self.add(item, &around);
+            let outer = ObjectContext { world_from_object: DAffine3::IDENTITY, material: None, depth: 0 };
+            self.add(item, &outer);
         } else {
             self.draft.error_with_help(&item.span, Message::NotAddOrDefine, Message::NotAScene);
         }
@@ -159,9 +159,9 @@ impl Reader {
     }
 
     /// Adds what a table describes: a shape, a group, or what a definition stands for.
-    fn add(&mut self, node: &Rc<Node>, around: &Surrounding) -> Option<()> {
+    fn add(&mut self, node: &Rc<Node>, outer: &ObjectContext) -> Option<()> {
         self.part(&node.span)?;
-        if around.depth >= MOST_DEEP {
+        if outer.depth >= MOST_DEEP {
             return self.too_deep(&node.span);
         }
         let mut table = Table::open(node, "add", &mut self.draft)?;
@@ -178,10 +178,10 @@ impl Reader {
             None => DAffine3::IDENTITY,
         };
         let material = table.take(&["material"]);
-        let surrounding = Surrounding {
-            world_from_object: around.world_from_object * transform,
-            material: around.material.clone().or(material.map(|material| self.resolved(&material))),
-            depth: around.depth + 1,
+        let context = ObjectContext {
+            world_from_object: outer.world_from_object * transform,
+            material: outer.material.clone().or(material.map(|material| self.resolved(&material))),
+            depth: outer.depth + 1,
         };
         if let Some(shadow) = table.take(&["shadow"]) {
             let throws = table::flag(&shadow, "shadow", &mut self.draft)?;
@@ -189,14 +189,14 @@ impl Reader {
                 self.draft.unsupported(&shadow.span, Message::NoShadowFlag, Message::ThrowsShadow);
             }
         }
-        self.object(&name, table, &surrounding, &name_node.span)
+        self.object(&name, table, &context, &name_node.span)
     }
 
     fn object(
         &mut self,
         name: &str,
         mut table: Table,
-        surrounding: &Surrounding,
+        context: &ObjectContext,
         span: &Range<usize>,
     ) -> Option<()> {
         if name == "group" {
@@ -204,7 +204,7 @@ impl Reader {
             table.end(&mut self.draft);
             if let Some(children) = children {
                 for child in table::list(&children, "children", &mut self.draft)? {
-                    self.add(child, surrounding);
+                    self.add(child, context);
                 }
             }
             return Some(());
@@ -212,12 +212,12 @@ impl Reader {
         if let Some(solids) = self.solids(name, &mut table, span) {
             table.end(&mut self.draft);
             for solid in solids {
-                let Surrounding { world_from_object, material, .. } = surrounding;
+                let ObjectContext { world_from_object, material, .. } = context;
                 self.solid((name, solid), *world_from_object, material.as_ref(), span);
             }
         } else if let Some(defined) = self.definition(name) {
             table.end(&mut self.draft);
-            self.add(&defined, surrounding)?;
+            self.add(&defined, context)?;
         } else if NOT_DRAWN.contains(&name) {
             self.draft.unsupported(span, Message::NotDrawn { name: name.to_owned() }, Message::LeftOut);
         } else {

@@ -8,7 +8,7 @@ use glam::{DAffine3, DQuat, DVec3};
 
 use crate::challenge::material::default_material;
 use crate::challenge::pattern::Surface;
-use crate::challenge::read::Reader;
+use crate::challenge::read::ChallengeReader;
 use crate::challenge::table::Table;
 use crate::challenge::yaml::Node;
 use crate::message::Message;
@@ -48,7 +48,7 @@ impl Solid {
     }
 }
 
-impl Reader {
+impl ChallengeReader {
     /// The solids of a shape by its name; `None` if there is no such shape.
     pub(super) fn solids(
         &mut self,

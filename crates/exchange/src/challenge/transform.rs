@@ -4,12 +4,12 @@ use std::rc::Rc;
 
 use glam::{DAffine3, DMat3, DVec3};
 
-use crate::challenge::read::Reader;
+use crate::challenge::read::ChallengeReader;
 use crate::challenge::table::list;
 use crate::challenge::yaml::{MOST_DEEP, Node};
 use crate::message::Message;
 
-impl Reader {
+impl ChallengeReader {
     /// The map that a list of transforms makes, the first of which is applied first.
     pub(super) fn transform(&mut self, node: &Node) -> Option<DAffine3> {
         self.transform_at_depth(node, 0)

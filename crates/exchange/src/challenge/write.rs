@@ -7,12 +7,12 @@ use crate::camera::horizontal_from_vertical;
 use crate::challenge::shape::MIRROR;
 use crate::message::Message;
 use crate::placement::degrees;
-use crate::written::{Title, Written, components, decimal, three, times};
+use crate::scene_text::{SceneText, Title, components, decimal, three, times};
 use crate::{DEFAULT_SIZE, ExportOptions};
 
 /// Writes a scene.
-pub(crate) fn write(scene: &Scene, options: &ExportOptions) -> Written {
-    let mut out = Written::default();
+pub(crate) fn write(scene: &Scene, options: &ExportOptions) -> SceneText {
+    let mut out = SceneText::default();
     out.environment(scene);
     if scene.environment.background != Color::BLACK {
         out.lose(Message::LosesBackground);
@@ -48,7 +48,7 @@ fn ambient_share(ambient: Color, sum: DVec3) -> Option<f64> {
     (share.is_finite() && (ambient - share * sum).length() <= 1e-9 * ambient.length()).then_some(share)
 }
 
-fn camera(camera: &Camera, size @ [width, height]: [u32; 2], out: &mut Written) {
+fn camera(camera: &Camera, size @ [width, height]: [u32; 2], out: &mut SceneText) {
     let vertical = out.fov(camera);
     let fov = if width >= height { horizontal_from_vertical(vertical, size) } else { vertical };
     out.line("- add: camera");
@@ -97,7 +97,7 @@ impl BookShape {
     }
 }
 
-fn object(title: &Title, body: &Body, material: &Phong, ambient_share: f64, out: &mut Written) {
+fn object(title: &Title, body: &Body, material: &Phong, ambient_share: f64, out: &mut SceneText) {
     let Some(shape) = BookShape::of(body.sized_shape()) else {
         return out.lose(Message::LosesShape { title: title.clone() });
     };
@@ -113,7 +113,7 @@ fn object(title: &Title, body: &Body, material: &Phong, ambient_share: f64, out:
         let [min, max] = ends.map(decimal);
         out.line(&format!("  min: {min}\n  max: {max}\n  closed: true"));
     }
-    let mut moves = Moves::default();
+    let mut moves = TransformList::default();
     moves.translate(DVec3::Y * shape.shift);
     moves.scale(scale);
     moves.rotate(turn);
@@ -149,13 +149,13 @@ fn pattern(
     even: Color,
     checker: &Checker,
     (shifted, scale, turn, position): (DVec3, DVec3, DVec3, DVec3),
-    out: &mut Written,
+    out: &mut SceneText,
 ) {
     out.line("    pattern:\n      type: checkers\n      colors:");
     for color in [checker.color, even] {
         out.line(&format!("        - [{}]", components(color, ", ")));
     }
-    let mut moves = Moves::default();
+    let mut moves = TransformList::default();
     moves.scale(DVec3::splat(checker.size));
     if checker.space == CheckerSpace::World {
         moves.translate(-position);
@@ -168,9 +168,9 @@ fn pattern(
 
 /// A list of transforms, without those that do nothing.
 #[derive(Default)]
-struct Moves(Vec<String>);
+struct TransformList(Vec<String>);
 
-impl Moves {
+impl TransformList {
     fn translate(&mut self, by: DVec3) {
         if by != DVec3::ZERO {
             self.0.push(format!("[translate, {}]", three(by, ", ")));
@@ -201,7 +201,7 @@ impl Moves {
         self.turn("x", -turn.x);
     }
 
-    fn write(&self, indent: &str, out: &mut Written) {
+    fn write(&self, indent: &str, out: &mut SceneText) {
         if self.0.is_empty() {
             return;
         }

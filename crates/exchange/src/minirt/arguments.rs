@@ -61,7 +61,7 @@ impl Phrase for Argument {
 
 /// A value with its place.
 #[derive(Clone, Debug)]
-pub(crate) struct Placed<T> {
+pub(crate) struct Spanned<T> {
     pub(crate) value: T,
     pub(crate) span: Range<usize>,
 }
@@ -72,8 +72,8 @@ pub(crate) struct Placed<T> {
 pub(crate) struct Arguments<'t> {
     /// The word that says which element it is.
     pub(crate) element: Word<'t>,
-    points: std::vec::IntoIter<Placed<DVec3>>,
-    numbers: std::vec::IntoIter<Placed<f64>>,
+    points: std::vec::IntoIter<Spanned<DVec3>>,
+    numbers: std::vec::IntoIter<Spanned<f64>>,
     /// Words that are neither: `reflection=0.3`.
     pub(crate) properties: Vec<Word<'t>>,
     /// All words.
@@ -102,12 +102,12 @@ impl<'t> Arguments<'t> {
                 properties.push(word);
             } else if word.text.contains(',') {
                 match point(&word, draft) {
-                    Some(value) => points.push(Placed { value, span: word.span }),
+                    Some(value) => points.push(Spanned { value, span: word.span }),
                     None => has_faults = true,
                 }
             } else {
                 match scalar(&word, draft) {
-                    Some(value) => numbers.push(Placed { value, span: word.span }),
+                    Some(value) => numbers.push(Spanned { value, span: word.span }),
                     None => has_faults = true,
                 }
             }
@@ -117,7 +117,7 @@ impl<'t> Arguments<'t> {
     }
 
     /// The next three numbers.
-    pub(crate) fn point(&mut self, argument: Argument, draft: &mut Draft) -> Option<Placed<DVec3>> {
+    pub(crate) fn point(&mut self, argument: Argument, draft: &mut Draft) -> Option<Spanned<DVec3>> {
         let point = self.points.next();
         if point.is_none() {
             self.lack(argument, draft);
@@ -126,15 +126,15 @@ impl<'t> Arguments<'t> {
     }
 
     /// The next three numbers as a direction of length 1.
-    pub(crate) fn direction(&mut self, argument: Argument, draft: &mut Draft) -> Option<Placed<DVec3>> {
-        let Placed { value, span } = self.point(argument, draft)?;
+    pub(crate) fn direction(&mut self, argument: Argument, draft: &mut Draft) -> Option<Spanned<DVec3>> {
+        let Spanned { value, span } = self.point(argument, draft)?;
         if value.abs().max_element() > 1.0 {
             let help = Message::DirectionIs;
             draft.error_with_help(&span, Message::NotADirection { argument, element: self.name() }, help);
             return None;
         }
         match value.try_normalize() {
-            Some(value) => Some(Placed { value, span }),
+            Some(value) => Some(Spanned { value, span }),
             None => {
                 draft.error_with_help(&span, Message::ZeroDirection { argument }, Message::DirectionIs);
                 None
@@ -143,10 +143,10 @@ impl<'t> Arguments<'t> {
     }
 
     /// The next three numbers as a color, 0 to 255 each.
-    pub(crate) fn color(&mut self, draft: &mut Draft) -> Option<Placed<Color>> {
-        let Placed { value, span } = self.point(Argument::Color, draft)?;
+    pub(crate) fn color(&mut self, draft: &mut Draft) -> Option<Spanned<Color>> {
+        let Spanned { value, span } = self.point(Argument::Color, draft)?;
         let value = color(value, &span, draft)?;
-        Some(Placed { value, span })
+        Some(Spanned { value, span })
     }
 
     /// Whether three more numbers stand there.
@@ -165,7 +165,7 @@ impl<'t> Arguments<'t> {
         argument: Argument,
         [low, high]: [f64; 2],
         draft: &mut Draft,
-    ) -> Option<Placed<f64>> {
+    ) -> Option<Spanned<f64>> {
         let Some(found) = self.numbers.next() else {
             self.lack(argument, draft);
             return None;
@@ -178,7 +178,7 @@ impl<'t> Arguments<'t> {
     }
 
     /// The next number, above 0.
-    pub(crate) fn size(&mut self, argument: Argument, draft: &mut Draft) -> Option<Placed<f64>> {
+    pub(crate) fn size(&mut self, argument: Argument, draft: &mut Draft) -> Option<Spanned<f64>> {
         let found = self.number(argument, [f64::NEG_INFINITY, f64::INFINITY], draft)?;
         if found.value > 0.0 {
             return Some(found);
@@ -193,11 +193,10 @@ impl<'t> Arguments<'t> {
         let left: Vec<_> = left.chain(self.numbers.by_ref().map(|number| number.span)).collect();
         for span in left {
             let message = Message::TooMany { element: self.name() };
-            match usage(self.element.text) {
-                Some(usage) => {
-                    draft.error_with_help(&span, message, Message::Write { usage: usage.to_owned() })
-                }
-                None => draft.error(&span, message),
+            if draft.options.is_approximate {
+                draft.unsupported(&span, message, Message::LeftOut);
+            } else {
+                self.refuse(&span, message, draft);
             }
         }
     }
@@ -212,12 +211,14 @@ impl<'t> Arguments<'t> {
         if std::mem::replace(&mut self.has_faults, true) {
             return;
         }
-        let message = Message::Lacks { element: self.name(), argument };
+        self.refuse(&self.span, Message::Lacks { element: self.name(), argument }, draft);
+    }
+
+    /// Adds an error, and how the element is written.
+    fn refuse(&self, span: &Range<usize>, message: Message, draft: &mut Draft) {
         match usage(self.element.text) {
-            Some(usage) => {
-                draft.error_with_help(&self.span, message, Message::Write { usage: usage.to_owned() })
-            }
-            None => draft.error(&self.span, message),
+            Some(usage) => draft.error_with_help(span, message, Message::Write { usage: usage.to_owned() }),
+            None => draft.error(span, message),
         }
     }
 }

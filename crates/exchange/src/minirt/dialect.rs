@@ -18,7 +18,7 @@ pub struct Dialect {
     /// `left-handed`: with y up and z into the picture, x points to the right.
     pub is_left_handed: bool,
     /// `added-reflection`: what a mirror reflects is added to its own light, which stays undiminished.
-    pub adds_reflection: bool,
+    pub has_added_reflection: bool,
 }
 
 /// There is no such word of a dialect.
@@ -41,7 +41,7 @@ impl Dialect {
             &mut self.is_cone_at_base,
             &mut self.has_vertical_fov,
             &mut self.is_left_handed,
-            &mut self.adds_reflection,
+            &mut self.has_added_reflection,
         ]
     }
 }

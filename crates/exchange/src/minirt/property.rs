@@ -8,7 +8,7 @@ use glam::DVec3;
 use crate::draft::Draft;
 use crate::lines::{Word, number};
 use crate::message::Message;
-use crate::minirt::arguments::{Argument, Arguments, Placed, color, out_of_range};
+use crate::minirt::arguments::{Argument, Arguments, Spanned, color, out_of_range};
 use crate::minirt::dialect::Dialect;
 
 /// The coefficient of a highlight of which only the exponent is given.
@@ -37,7 +37,7 @@ impl Finish {
                     .number(Argument::CheckerSize, [0.0, 1.0], draft)
                     .is_some_and(|found| found.value > 0.0);
             self.checker = is_checkered.then(checker);
-            if let Some(Placed { span, .. }) = shininess {
+            if let Some(Spanned { span, .. }) = shininess {
                 draft.note(&span, Message::NumbersAreFinish { element: arguments.name() }, None);
             }
         }
@@ -82,7 +82,7 @@ impl Finish {
     /// The material of a body of this color: `specular` and `shininess` need each other, and reflection takes the place
     /// of the body's own light unless the dialect adds it.
     pub(super) fn material(&self, color: Color, dialect: Dialect) -> Material {
-        let own = if dialect.adds_reflection { 1.0 } else { 1.0 - self.reflection };
+        let own = if dialect.has_added_reflection { 1.0 } else { 1.0 - self.reflection };
         let default = Phong::default();
         let specular = self.specular.unwrap_or(if self.shininess.is_some() { HIGHLIGHT } else { 0.0 });
         Material::Phong(Phong {

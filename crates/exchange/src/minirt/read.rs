@@ -12,10 +12,10 @@ use crate::camera::{up_for, vertical_from_horizontal};
 use crate::draft::Draft;
 use crate::lines::{Word, lines};
 use crate::message::Message;
-use crate::minirt::arguments::{Argument, Arguments, Placed};
+use crate::minirt::arguments::{Argument, Arguments, Spanned, out_of_range};
 use crate::minirt::property::Finish;
 use crate::placement::degrees;
-use crate::{DEFAULT_SIZE, ImportOptions, Imported};
+use crate::{DEFAULT_SIZE, ImportOptions, ImportedScene};
 
 /// A square is a cuboid of this thickness, as a share of its side.
 pub(super) const SQUARE_THICKNESS: f64 = 1e-6;
@@ -25,14 +25,14 @@ const ELEMENTS: [&str; 12] = ["R", "A", "C", "L", "sp", "pl", "cy", "sq", "co", 
 const PROPERTIES: &str = "ma";
 
 /// Reads a scene. All errors are reported at once.
-pub(crate) fn read(text: &str, options: &ImportOptions) -> Result<Imported, Diagnostics> {
-    let mut reader = Reader {
+pub(crate) fn read(text: &str, options: &ImportOptions) -> Result<ImportedScene, Diagnostics> {
+    let mut reader = MiniRtReader {
         draft: Draft::new(options),
         body: None,
         ambient: None,
         camera: None,
         resolution: None,
-        places: Places::default(),
+        places: NotePlaces::default(),
     };
     for words in lines(text) {
         match words.first() {
@@ -64,12 +64,12 @@ struct OpenBody {
 struct View {
     position: DVec3,
     direction: DVec3,
-    degrees: Placed<f64>,
+    degrees: Spanned<f64>,
 }
 
 /// The first places of what can be read in several ways; each is said once.
 #[derive(Default)]
-struct Places {
+struct NotePlaces {
     cylinder: Option<Range<usize>>,
     cone: Option<Range<usize>>,
     square: Option<Range<usize>>,
@@ -78,17 +78,17 @@ struct Places {
     checker: Option<Range<usize>>,
 }
 
-struct Reader {
+struct MiniRtReader {
     draft: Draft,
     body: Option<OpenBody>,
     ambient: Option<Range<usize>>,
     /// Where the first camera stands, and what it is if it could be read.
     camera: Option<(Range<usize>, Option<View>)>,
     resolution: Option<(Range<usize>, Option<[u32; 2]>)>,
-    places: Places,
+    places: NotePlaces,
 }
 
-impl Reader {
+impl MiniRtReader {
     fn element(&mut self, mut arguments: Arguments<'_>) {
         let element = arguments.element.text;
         if element == PROPERTIES {
@@ -116,6 +116,9 @@ impl Reader {
 
     fn unknown(&mut self, word: &Word<'_>) {
         let message = Message::NoElement { word: word.text.to_owned() };
+        if self.draft.options.is_approximate {
+            return self.draft.unsupported(&word.span, message, Message::LeftOut);
+        }
         let finding = Diagnostic::said(Severity::Error, word.span.clone(), message);
         let finding = match nearest(word.text, ELEMENTS) {
             Some(near) => finding.labeled(Message::DidYouMean { word: near.to_owned() }),
@@ -181,7 +184,12 @@ impl Reader {
     fn light(&mut self, arguments: &mut Arguments<'_>) {
         let draft = &mut self.draft;
         let position = arguments.point(Argument::Position, draft);
-        let brightness = arguments.number(Argument::Brightness, [0.0, 1.0], draft);
+        let brightness = arguments.number(Argument::Brightness, [0.0, 1e6], draft);
+        if let Some(Spanned { value, span }) = brightness.as_ref().filter(|brightness| brightness.value > 1.0)
+        {
+            let message = out_of_range(Argument::Brightness, *value, [0.0, 1.0]);
+            draft.unsupported(span, message, Message::TakenAsItIs);
+        }
         let color = if arguments.has_point() {
             arguments.color(draft).map(|color| color.value)
         } else {
@@ -238,7 +246,7 @@ impl Reader {
     }
 
     /// Position, axis, radius, height and color of a body around an axis.
-    fn on_axis(&mut self, arguments: &mut Arguments<'_>) -> Option<(DVec3, DVec3, f64, f64, Placed<Color>)> {
+    fn on_axis(&mut self, arguments: &mut Arguments<'_>) -> Option<(DVec3, DVec3, f64, f64, Spanned<Color>)> {
         let draft = &mut self.draft;
         let position = arguments.point(Argument::Position, draft);
         let axis = arguments.direction(Argument::Axis, draft);
@@ -285,7 +293,7 @@ impl Reader {
     fn open_body(
         &mut self,
         geometry: Option<(Shape, Placement)>,
-        color: Option<Placed<Color>>,
+        color: Option<Spanned<Color>>,
         arguments: &mut Arguments<'_>,
     ) {
         let mut finish = Finish::default();
@@ -300,7 +308,7 @@ impl Reader {
         match &mut self.body {
             Some(body) => body.finish.read(&mut arguments, &mut self.draft),
             // An error of the body, or of what stands before, is reported already.
-            None if self.draft.has_errors() || self.draft.options.approximate => {}
+            None if self.draft.has_errors() || self.draft.options.is_approximate => {}
             None => self.draft.error(&arguments.span, Message::NoBodyBefore),
         }
     }
@@ -322,7 +330,7 @@ impl Reader {
         self.draft.body(Body { shape, placement, material, ..Body::default() }, &span);
     }
 
-    fn finish(mut self, text: &str) -> Result<Imported, Diagnostics> {
+    fn finish(mut self, text: &str) -> Result<ImportedScene, Diagnostics> {
         let start = if text.starts_with('\u{feff}') { 3 } else { 0 };
         let draft = &mut self.draft;
         for (is_missing, element) in [(self.ambient.is_none(), "A"), (self.camera.is_none(), "C")] {
@@ -362,9 +370,16 @@ impl Reader {
             draft.note(span, Message::SquareIsCuboid, None);
         }
         if let Some(span) = &places.reflection {
-            let message =
-                if dialect.adds_reflection { Message::ReflectionAdds } else { Message::ReflectionBlends };
-            draft.note(span, message, (!dialect.adds_reflection).then(|| dialect_help("added-reflection")));
+            let message = if dialect.has_added_reflection {
+                Message::ReflectionAdds
+            } else {
+                Message::ReflectionBlends
+            };
+            draft.note(
+                span,
+                message,
+                (!dialect.has_added_reflection).then(|| dialect_help("added-reflection")),
+            );
         }
         if let Some(span) = &places.highlight {
             draft.note(span, Message::HighlightIsLight, None);

@@ -6,12 +6,12 @@ use glam::{DMat3, DVec3};
 use crate::camera::{horizontal_from_vertical, up_for};
 use crate::message::Message;
 use crate::minirt::read::SQUARE_THICKNESS;
-use crate::written::{Title, Written, decimal, three, times};
+use crate::scene_text::{SceneText, Title, decimal, three, times};
 use crate::{DEFAULT_SIZE, ExportOptions};
 
 /// Writes a scene.
-pub(crate) fn write(scene: &Scene, options: &ExportOptions) -> Written {
-    let mut out = Written::default();
+pub(crate) fn write(scene: &Scene, options: &ExportOptions) -> SceneText {
+    let mut out = SceneText::default();
     if let Some([width, height]) = options.size {
         out.line(&format!("R {width} {height}"));
     }
@@ -49,7 +49,7 @@ pub(crate) fn write(scene: &Scene, options: &ExportOptions) -> Written {
 }
 
 /// The ambient coefficient of all bodies as a share of their diffuse one. The format has one ambient light for all.
-fn ambient_ratio(bodies: &[(Title, &Body, std::borrow::Cow<'_, Phong>)], out: &mut Written) -> f64 {
+fn ambient_ratio(bodies: &[(Title, &Body, std::borrow::Cow<'_, Phong>)], out: &mut SceneText) -> f64 {
     let mut common = None;
     for (title, _, material) in bodies {
         if material.ambient == 0.0 && material.diffuse == 0.0 {
@@ -64,7 +64,7 @@ fn ambient_ratio(bodies: &[(Title, &Body, std::borrow::Cow<'_, Phong>)], out: &m
     common.filter(|ratio: &f64| ratio.is_finite()).unwrap_or(1.0)
 }
 
-fn ambient(light: Color, out: &mut Written) {
+fn ambient(light: Color, out: &mut SceneText) {
     let ratio = brightest(light);
     if ratio > 1.0 {
         out.lose(Message::LosesAmbientLight);
@@ -73,7 +73,7 @@ fn ambient(light: Color, out: &mut Written) {
     out.line(&format!("A {} {}", decimal(ratio.min(1.0)), codes(color)));
 }
 
-fn camera(camera: &Camera, size: [u32; 2], out: &mut Written) {
+fn camera(camera: &Camera, size: [u32; 2], out: &mut SceneText) {
     let direction = (camera.target - camera.position).normalize_or(DVec3::NEG_Z);
     let right = |up: DVec3| direction.cross(up).normalize_or_zero();
     if right(camera.up).dot(right(up_for(direction))) < 1.0 - 1e-9 {
@@ -83,7 +83,7 @@ fn camera(camera: &Camera, size: [u32; 2], out: &mut Written) {
     out.line(&format!("C {} {} {}", three(camera.position, ","), three(direction, ","), decimal(degrees)));
 }
 
-fn element(title: &Title, body: &Body, material: &Phong, out: &mut Written) {
+fn element(title: &Title, body: &Body, material: &Phong, out: &mut SceneText) {
     let frame = body.placement.world_from_body();
     let turn = body.placement.rotation();
     let scale = body.placement.scale;

@@ -11,7 +11,7 @@ use glam::DVec3;
 use crate::draft::Draft;
 use crate::lines::{MOST_WORDS, Word, lines, number};
 use crate::message::Message;
-use crate::{ImportOptions, Imported};
+use crate::{ImportOptions, ImportedScene};
 
 /// The most corners of a polygon.
 const MOST_CORNERS: usize = 10_000;
@@ -26,8 +26,8 @@ const VIEW: [(&str, &str, usize); 6] = [
 ];
 
 /// Reads a scene. All errors are reported at once.
-pub(crate) fn read(text: &str, options: &ImportOptions) -> Result<Imported, Diagnostics> {
-    let mut reader = Reader { draft: Draft::new(options), fill: None, view: None, colorless: Vec::new() };
+pub(crate) fn read(text: &str, options: &ImportOptions) -> Result<ImportedScene, Diagnostics> {
+    let mut reader = NffReader { draft: Draft::new(options), fill: None, view: None, colorless: Vec::new() };
     let mut lines = lines(text);
     while let Some(line) = lines.next() {
         reader.record(&line, &mut lines);
@@ -35,7 +35,7 @@ pub(crate) fn read(text: &str, options: &ImportOptions) -> Result<Imported, Diag
     reader.finish(text)
 }
 
-struct Reader {
+struct NffReader {
     draft: Draft,
     /// The material of what follows.
     fill: Option<Phong>,
@@ -44,7 +44,7 @@ struct Reader {
     colorless: Vec<(usize, Range<usize>)>,
 }
 
-impl Reader {
+impl NffReader {
     fn record<'t>(&mut self, line: &[Word<'t>], rest: &mut impl Iterator<Item = Vec<Word<'t>>>) {
         let Some(first) = line.first() else { return };
         if line.len() > MOST_WORDS {
@@ -296,7 +296,7 @@ impl Reader {
         self.draft.unsupported(span, Message::NoPolygons, Message::LeftOut);
     }
 
-    fn finish(mut self, text: &str) -> Result<Imported, Diagnostics> {
+    fn finish(mut self, text: &str) -> Result<ImportedScene, Diagnostics> {
         let draft = &mut self.draft;
         match &self.view {
             Some(span) => draft.note(&span.clone(), Message::LightsAreCodes, Some(Message::ToneCurveHelp)),

@@ -3,12 +3,12 @@
 use catoptric_scene::{Color, Scene, Shape};
 
 use crate::message::Message;
-use crate::written::{Written, components, decimal, three, times};
+use crate::scene_text::{SceneText, components, decimal, three, times};
 use crate::{DEFAULT_SIZE, ExportOptions};
 
 /// Writes a scene.
-pub(crate) fn write(scene: &Scene, options: &ExportOptions) -> Written {
-    let mut out = Written::default();
+pub(crate) fn write(scene: &Scene, options: &ExportOptions) -> SceneText {
+    let mut out = SceneText::default();
     out.environment(scene);
     let [width, height] = options.size.unwrap_or(DEFAULT_SIZE);
     let camera = &scene.camera;

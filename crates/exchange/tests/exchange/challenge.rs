@@ -13,7 +13,7 @@ fn scene(rest: &str) -> String {
     format!("{CAMERA}{rest}")
 }
 
-fn read(rest: &str) -> catoptric_exchange::Imported {
+fn read(rest: &str) -> catoptric_exchange::ImportedScene {
     good(FORMAT, &scene(rest), &ImportOptions::default())
 }
 
@@ -102,7 +102,7 @@ fn checkers_are_those_of_the_book() {
         );
         read(&text)
     };
-    let checker = |found: &catoptric_exchange::Imported| {
+    let checker = |found: &catoptric_exchange::ImportedScene| {
         let body = found.scene.bodies.to_vec()[0].clone();
         let material = found.scene.material(&body.material).unwrap().as_phong().unwrap().clone();
         (material.pattern.color.r, material.pattern.checker.unwrap())
@@ -121,7 +121,7 @@ fn checkers_are_those_of_the_book() {
         "- add: sphere\n  material:\n    pattern:\n      type: stripes\n      colors: [[1, 1, 1], [0, 0, 0]]\n",
     );
     assert_eq!(bad(FORMAT, &stripes), "11:13: error: the pattern `stripes` is not drawn");
-    let found = good(FORMAT, &stripes, &ImportOptions { approximate: true, ..ImportOptions::default() });
+    let found = good(FORMAT, &stripes, &ImportOptions { is_approximate: true, ..ImportOptions::default() });
     let material = found.scene.material(&found.scene.bodies.to_vec()[0].material).unwrap().clone();
     assert_eq!(material.as_phong().unwrap().pattern.color.r, 0.5);
 }

@@ -100,7 +100,7 @@ fn read_changed(count: usize) {
         let mut good = 0;
         for _ in 0..count {
             let text = random.changed(seed);
-            let options = ImportOptions { approximate: random.below(2) == 0, ..ImportOptions::default() };
+            let options = ImportOptions { is_approximate: random.below(2) == 0, ..ImportOptions::default() };
             match read(format, &text, &options) {
                 Ok(found) => {
                     good += 1;

@@ -1,5 +1,12 @@
 //! Scenes of other ray tracers, from outside.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "helpers of tests may panic as tests may"
+)]
+
 mod challenge;
 mod common;
 mod fuzz;

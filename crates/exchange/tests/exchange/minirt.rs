@@ -157,12 +157,13 @@ fn the_schools_errors_are_refused_with_words() {
 
 #[test]
 fn what_is_not_drawn_can_be_left_out() {
-    let text = "A 1 0,0,0\nC 0,0,5 0,0,-1 60\ntr 0,0,0 0,1,0 1,0,0 9,9,9\nsp 0,0,0 1 1,1,1 glow=3\n";
-    assert_eq!(bad(FORMAT, text).lines().count(), 2);
-    let found = good(FORMAT, text, &ImportOptions { approximate: true, ..ImportOptions::default() });
+    let text = "A 1 0,0,0\nC 0,0,5 0,0,-1 60\ntr 0,0,0 0,1,0 1,0,0 9,9,9\nsp 0,0,0 1 1,1,1 glow=3\n\
+                W 3 4\nL 0,0,9 3 1,1,1 8\n";
+    assert_eq!(bad(FORMAT, text).lines().count(), 5);
+    let found = good(FORMAT, text, &ImportOptions { is_approximate: true, ..ImportOptions::default() });
     assert_eq!(
         (found.scene.bodies.len(), count(&found.report, Severity::Warning)),
-        (1, 2),
+        (1, 5),
         "{}",
         found.report
     );

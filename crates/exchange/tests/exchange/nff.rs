@@ -31,7 +31,7 @@ fn open_cones_and_polygons_are_refused_or_replaced() {
         found,
         "10:1: error: cones and cylinders of NFF are open, and are not drawn\n13:1: error: polygons are not drawn"
     );
-    let found = good(FORMAT, &text, &ImportOptions { approximate: true, ..ImportOptions::default() });
+    let found = good(FORMAT, &text, &ImportOptions { is_approximate: true, ..ImportOptions::default() });
     let shapes: Vec<_> = found.scene.bodies.iter().map(|body| body.shape).collect();
     assert_eq!(
         shapes,
@@ -42,7 +42,7 @@ fn open_cones_and_polygons_are_refused_or_replaced() {
 #[test]
 fn cones_may_stand_on_one_line() {
     let text = format!("{VIEW}f 1 1 1 1 0 1 0 0\nc 0 0 0 1 0 2 0 1\ns 0 0 0 1\n");
-    let found = good(FORMAT, &text, &ImportOptions { approximate: true, ..ImportOptions::default() });
+    let found = good(FORMAT, &text, &ImportOptions { is_approximate: true, ..ImportOptions::default() });
     assert_eq!(found.scene.bodies.to_vec()[0].shape, Shape::Cylinder { radius: 1.0, height: 2.0 });
 }
 

@@ -220,7 +220,7 @@ proptest! {
         for format in ForeignFormat::ALL {
             let mut scene = scene.clone();
             scene.bodies.retain(|body| fits(format, body));
-            let options = ExportOptions { approximate: false, size: Some(DEFAULT_SIZE) };
+            let options = ExportOptions { is_approximate: false, size: Some(DEFAULT_SIZE) };
             let written = write(format, &scene, &options).unwrap_or_else(|error| panic!("{format:?}: {error}"));
             let found = read(format, &written.text, &ImportOptions::default());
             let found = found.unwrap_or_else(|errors| panic!("{errors}\n{}", written.text));
@@ -235,7 +235,7 @@ fn what_a_format_cannot_say_is_told_or_left_out() {
     for format in ForeignFormat::ALL {
         let error = write(format, &scene, &ExportOptions::default()).unwrap_err();
         assert!(!error.lost.is_empty() && error.to_string().lines().count() == error.lost.len());
-        let options = ExportOptions { approximate: true, ..ExportOptions::default() };
+        let options = ExportOptions { is_approximate: true, ..ExportOptions::default() };
         let written = write(format, &scene, &options).unwrap();
         assert_eq!(written.lost, error.lost);
         let found = read(format, &written.text, &ImportOptions::default());

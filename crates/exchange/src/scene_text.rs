@@ -15,14 +15,14 @@ use crate::message::Message;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ExportOptions {
     /// Whether what the format cannot say is left out. Default false: it is an error.
-    pub approximate: bool,
+    pub is_approximate: bool,
     /// Width and height of the picture, pixels, for formats that say them. Default [`crate::DEFAULT_SIZE`].
     pub size: Option<[u32; 2]>,
 }
 
 /// A scene in another format.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Exported {
+pub struct ExportedScene {
     /// The text of the file.
     pub text: String,
     /// What the format cannot say, and is left out.
@@ -68,12 +68,12 @@ impl Phrase for Title {
 
 /// A text that is being written, and what it cannot say.
 #[derive(Debug, Default)]
-pub(crate) struct Written {
+pub(crate) struct SceneText {
     pub(crate) text: String,
     lost: Vec<Sentence>,
 }
 
-impl Written {
+impl SceneText {
     /// Remembers that something cannot be said.
     pub(crate) fn lose(&mut self, message: Message) {
         self.lost.push(message.into());
@@ -137,9 +137,9 @@ impl Written {
         }
     }
 
-    pub(crate) fn finish(self, options: &ExportOptions) -> Result<Exported, ExportError> {
-        if self.lost.is_empty() || options.approximate {
-            return Ok(Exported { text: self.text, lost: self.lost });
+    pub(crate) fn finish(self, options: &ExportOptions) -> Result<ExportedScene, ExportError> {
+        if self.lost.is_empty() || options.is_approximate {
+            return Ok(ExportedScene { text: self.text, lost: self.lost });
         }
         Err(ExportError { lost: self.lost })
     }
