@@ -11,4 +11,3 @@ mod yaml;
 
 pub(crate) use read::read;
 pub(crate) use write::write;
-pub(crate) use yaml::Kind;

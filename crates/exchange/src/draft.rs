@@ -5,12 +5,12 @@ use std::ops::Range;
 use catoptric_scene::{Body, Diagnostic, Diagnostics, Light, Scene, ScenePart, Sentence, Severity};
 
 use crate::message::Message;
-use crate::{ImportOptions, ImportedScene};
+use crate::options::{ImportOptions, ImportedScene};
 
 /// The findings about a text that is too long to be read.
 pub(crate) fn too_long() -> Diagnostics {
     let mut found = Diagnostics::default();
-    let most = (crate::LONGEST_FILE >> 20).to_string();
+    let most = (crate::options::LONGEST_FILE >> 20).to_string();
     found.push(Diagnostic::said(Severity::Error, 0..0, Message::TooLong { most }));
     found.locate("");
     found

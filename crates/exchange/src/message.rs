@@ -2,9 +2,7 @@
 
 use catoptric_scene::{Number, Sentence};
 
-use crate::challenge::Kind;
-use crate::minirt::Argument;
-use crate::scene_text::Title;
+use crate::phrase::{Argument, Kind, Title};
 
 catoptric_scene::messages! {
     // All formats.

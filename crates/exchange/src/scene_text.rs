@@ -4,12 +4,13 @@ use std::borrow::Cow;
 use std::fmt;
 
 use catoptric_scene::{
-    Body, Camera, Color, Falloff, Language, Light, Material, MaterialChoice, Matte, Phong, Phrase,
-    Projection, Scene, Sentence, Surroundings, Tracing, quoted_name,
+    Body, Camera, Color, Falloff, Language, Light, Material, MaterialChoice, Matte, Phong, Projection, Scene,
+    Sentence, Surroundings, Tracing,
 };
 use glam::DVec3;
 
 use crate::message::Message;
+use crate::phrase::Title;
 
 /// How a scene is written in another format.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -45,26 +46,6 @@ impl fmt::Display for ExportError {
 }
 
 impl std::error::Error for ExportError {}
-
-/// What a body or a light is called in messages.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Title {
-    /// The body of this number, from 1, and this name.
-    Body(usize, String),
-    /// The light of this number, from 1, and this name.
-    Light(usize, String),
-}
-
-impl Phrase for Title {
-    fn phrase(&self, language: Language) -> Cow<'_, str> {
-        let (kind, index, name) = match self {
-            Self::Body(index, name) => (language.pick("body", "тело"), index, name),
-            Self::Light(index, name) => (language.pick("light", "источник света"), index, name),
-        };
-        if name.is_empty() { format!("{kind} {index}") } else { format!("{kind} {}", quoted_name(name)) }
-            .into()
-    }
-}
 
 /// A text that is being written, and what it cannot say.
 #[derive(Debug, Default)]

@@ -13,7 +13,7 @@ use crate::challenge::table::{self, Table};
 use crate::challenge::yaml::{MOST_DEEP, Node, Value, parse};
 use crate::draft::Draft;
 use crate::message::Message;
-use crate::{DEFAULT_SIZE, ImportOptions, ImportedScene};
+use crate::options::{DEFAULT_SIZE, ImportOptions, ImportedScene};
 
 /// The most parts that definitions may make: bodies, groups and transforms.
 const MOST_PARTS: usize = 200_000;

@@ -6,9 +6,10 @@ use std::rc::Rc;
 use catoptric_scene::Color;
 use glam::DVec3;
 
-use crate::challenge::yaml::{Kind, Node, Value};
+use crate::challenge::yaml::{Node, Value};
 use crate::draft::Draft;
 use crate::message::Message;
+use crate::phrase::Kind;
 
 /// A table that is being read.
 pub(super) struct Table {

@@ -6,9 +6,10 @@ use glam::{DMat3, DQuat, DVec3};
 use crate::camera::horizontal_from_vertical;
 use crate::challenge::shape::MIRROR;
 use crate::message::Message;
+use crate::options::DEFAULT_SIZE;
+use crate::phrase::Title;
 use crate::placement::degrees;
-use crate::scene_text::{SceneText, Title, components, decimal, three, times};
-use crate::{DEFAULT_SIZE, ExportOptions};
+use crate::scene_text::{ExportOptions, SceneText, components, decimal, three, times};
 
 /// Writes a scene.
 pub(crate) fn write(scene: &Scene, options: &ExportOptions) -> SceneText {

@@ -1,15 +1,14 @@
 //! YAML as a tree of bounded size, with places.
 
-use std::borrow::Cow;
 use std::collections::HashMap;
 use std::ops::Range;
 use std::rc::Rc;
 
-use catoptric_scene::{Language, Phrase};
 use saphyr_parser::{Event, Parser, ScalarStyle, Span};
 
 use crate::draft::Draft;
 use crate::message::Message;
+use crate::phrase::Kind;
 
 /// The deepest nesting of values, definitions and groups.
 pub(super) const MOST_DEEP: usize = 64;
@@ -35,35 +34,6 @@ pub(super) enum Value {
     List(Vec<Rc<Node>>),
     /// Keys and values, in the order of the file.
     Table(Vec<(Rc<Node>, Rc<Node>)>),
-}
-
-/// The kind of a value, for messages.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
-    Nothing,
-    Text,
-    Name,
-    Number,
-    Flag,
-    List,
-    ThreeNumbers,
-    Table,
-}
-
-impl Phrase for Kind {
-    fn phrase(&self, language: Language) -> Cow<'_, str> {
-        let (english, russian) = match self {
-            Self::Nothing => ("empty", "пусто"),
-            Self::Text => ("a text", "текст"),
-            Self::Name => ("a name", "имя"),
-            Self::Number => ("a number", "число"),
-            Self::Flag => ("`true` or `false`", "`true` или `false`"),
-            Self::List => ("a list", "список"),
-            Self::ThreeNumbers => ("three numbers: `[0, 1, 0]`", "три числа: `[0, 1, 0]`"),
-            Self::Table => ("a table of keys", "таблица ключей"),
-        };
-        language.pick(english, russian).into()
-    }
 }
 
 impl Node {

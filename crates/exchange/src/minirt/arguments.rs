@@ -1,63 +1,14 @@
 //! The arguments of an element: points, numbers, properties.
 
-use std::borrow::Cow;
 use std::ops::Range;
 
-use catoptric_scene::{Color, Language, Number, Phrase};
+use catoptric_scene::{Color, Number};
 use glam::DVec3;
 
 use crate::draft::Draft;
 use crate::lines::{MOST_WORDS, Word, number, without_decimal_comma};
 use crate::message::Message;
-
-/// What an argument means.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Argument {
-    Position,
-    Direction,
-    Normal,
-    Axis,
-    Corner,
-    Diameter,
-    Height,
-    Side,
-    Color,
-    Ratio,
-    Brightness,
-    FieldOfView,
-    Width,
-    PictureHeight,
-    Shininess,
-    Reflection,
-    Specular,
-    CheckerSize,
-}
-
-impl Phrase for Argument {
-    fn phrase(&self, language: Language) -> Cow<'_, str> {
-        let (english, russian) = match self {
-            Self::Position => ("the position", "положение"),
-            Self::Direction => ("the direction of view", "направление взгляда"),
-            Self::Normal => ("the normal", "нормаль"),
-            Self::Axis => ("the axis", "ось"),
-            Self::Corner => ("a corner", "вершина"),
-            Self::Diameter => ("the diameter", "диаметр"),
-            Self::Height => ("the height", "высота"),
-            Self::Side => ("the side", "сторона"),
-            Self::Color => ("the color", "цвет"),
-            Self::Ratio => ("the ratio of ambient light", "доля фонового света"),
-            Self::Brightness => ("the brightness", "яркость"),
-            Self::FieldOfView => ("the field of view", "угол зрения"),
-            Self::Width => ("the width of the picture", "ширина изображения"),
-            Self::PictureHeight => ("the height of the picture", "высота изображения"),
-            Self::Shininess => ("the exponent of the highlight", "показатель блика"),
-            Self::Reflection => ("the reflection", "отражение"),
-            Self::Specular => ("the coefficient of the highlight", "коэффициент блика"),
-            Self::CheckerSize => ("the size of a cell", "размер клетки"),
-        };
-        language.pick(english, russian).into()
-    }
-}
+use crate::phrase::Argument;
 
 /// A value with its place.
 #[derive(Clone, Debug)]

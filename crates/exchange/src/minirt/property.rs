@@ -5,11 +5,12 @@ use std::ops::Range;
 use catoptric_scene::{Checker, CheckerSpace, Color, Material, Pattern, Phong};
 use glam::DVec3;
 
+use crate::dialect::Dialect;
 use crate::draft::Draft;
 use crate::lines::{Word, number};
 use crate::message::Message;
-use crate::minirt::arguments::{Argument, Arguments, Spanned, color, out_of_range};
-use crate::minirt::dialect::Dialect;
+use crate::minirt::arguments::{Arguments, Spanned, color, out_of_range};
+use crate::phrase::Argument;
 
 /// The coefficient of a highlight of which only the exponent is given.
 const HIGHLIGHT: f64 = 0.5;

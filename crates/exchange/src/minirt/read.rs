@@ -12,10 +12,11 @@ use crate::camera::{up_for, vertical_from_horizontal};
 use crate::draft::Draft;
 use crate::lines::{Word, lines};
 use crate::message::Message;
-use crate::minirt::arguments::{Argument, Arguments, Spanned, out_of_range};
+use crate::minirt::arguments::{Arguments, Spanned, out_of_range};
 use crate::minirt::property::Finish;
+use crate::options::{DEFAULT_SIZE, ImportOptions, ImportedScene};
+use crate::phrase::Argument;
 use crate::placement::degrees;
-use crate::{DEFAULT_SIZE, ImportOptions, ImportedScene};
 
 /// A square is a cuboid of this thickness, as a share of its side.
 pub(super) const SQUARE_THICKNESS: f64 = 1e-6;

@@ -6,8 +6,9 @@ use glam::{DMat3, DVec3};
 use crate::camera::{horizontal_from_vertical, up_for};
 use crate::message::Message;
 use crate::minirt::read::SQUARE_THICKNESS;
-use crate::scene_text::{SceneText, Title, decimal, three, times};
-use crate::{DEFAULT_SIZE, ExportOptions};
+use crate::options::DEFAULT_SIZE;
+use crate::phrase::Title;
+use crate::scene_text::{ExportOptions, SceneText, decimal, three, times};
 
 /// Writes a scene.
 pub(crate) fn write(scene: &Scene, options: &ExportOptions) -> SceneText {

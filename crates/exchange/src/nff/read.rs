@@ -11,7 +11,7 @@ use glam::DVec3;
 use crate::draft::Draft;
 use crate::lines::{MOST_WORDS, Word, lines, number};
 use crate::message::Message;
-use crate::{ImportOptions, ImportedScene};
+use crate::options::{ImportOptions, ImportedScene};
 
 /// The most corners of a polygon.
 const MOST_CORNERS: usize = 10_000;

@@ -3,8 +3,8 @@
 use catoptric_scene::{Color, Scene, Shape};
 
 use crate::message::Message;
-use crate::scene_text::{SceneText, components, decimal, three, times};
-use crate::{DEFAULT_SIZE, ExportOptions};
+use crate::options::DEFAULT_SIZE;
+use crate::scene_text::{ExportOptions, SceneText, components, decimal, three, times};
 
 /// Writes a scene.
 pub(crate) fn write(scene: &Scene, options: &ExportOptions) -> SceneText {
