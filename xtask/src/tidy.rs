@@ -13,6 +13,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("picture", &["platform"]),
     ("scene", &["optics", "picture"]),
     ("store", &["platform", "picture", "scene"]),
+    ("exchange", &["store", "scene"]),
     ("tracer", &["scene", "picture", "optics", "platform"]),
     ("gpu", &["tracer", "picture", "platform"]),
     ("editor", &["store", "scene", "platform"]),
@@ -20,9 +21,12 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("lab", &["tracer", "store", "scene", "picture", "platform", "optics"]),
     (
         "studio",
-        &["lab", "live", "editor", "gpu", "tracer", "store", "scene", "picture", "platform", "optics"],
+        &[
+            "lab", "live", "editor", "gpu", "tracer", "exchange", "store", "scene", "picture", "platform",
+            "optics",
+        ],
     ),
-    ("catoptric", &["studio", "lab", "gpu", "tracer", "store", "scene", "picture", "platform"]),
+    ("catoptric", &["studio", "lab", "gpu", "tracer", "exchange", "store", "scene", "picture", "platform"]),
 ];
 
 const LONGEST_FILE: usize = 600;

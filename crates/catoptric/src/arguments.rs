@@ -6,6 +6,7 @@ use std::num::IntErrorKind;
 use std::path::PathBuf;
 use std::str::FromStr;
 
+use catoptric_exchange::{Dialect, ForeignFormat};
 use catoptric_lab::Variant;
 use catoptric_lab::maps::MapKind;
 use catoptric_lab::measure::MeasurePlan;
@@ -71,6 +72,20 @@ pub(crate) struct SetArguments {
     /// pictures are found from the current directory; may be given again (`check --keys` lists the addresses)
     #[arg(long = "set", value_name = "PATH=VALUE")]
     pub edits: Vec<SceneEdit>,
+    #[command(flatten)]
+    pub import: ImportArguments,
+}
+
+/// How scenes of other ray tracers are taken over.
+#[derive(Clone, Copy, Debug, Args)]
+pub(crate) struct ImportArguments {
+    /// What a miniRT program does otherwise than most, words separated by commas: radius, base, cone-base, vertical-fov,
+    /// left-handed, added-reflection
+    #[arg(long, value_name = "WORDS", default_value_t, hide_default_value = true)]
+    pub dialect: Dialect,
+    /// Of a scene of another ray tracer, replace what cannot be taken over by what comes nearest, or leave it out
+    #[arg(long)]
+    pub approximate: bool,
 }
 
 /// How linear light becomes what a display shows.
@@ -79,9 +94,10 @@ pub(crate) struct DevelopmentArguments {
     /// Exposure in stops: each doubles the light; linear formats (.exr, .hdr) stay as they are
     #[arg(long, value_name = "EV", default_value_t = 0.0, allow_negative_numbers = true, value_parser = finite)]
     pub exposure: f64,
-    /// How light beyond white is fitted in; linear formats stay as they are
-    #[arg(long, value_name = "CURVE", default_value_t = ToneCurve::None, value_parser = tone_curves())]
-    pub tone_curve: ToneCurve,
+    /// How light beyond white is fitted in; linear formats stay as they are; none by default, linear-codes for a scene of
+    /// another ray tracer
+    #[arg(long, value_name = "CURVE", value_parser = tone_curves())]
+    pub tone_curve: Option<ToneCurve>,
     /// Bits per channel of a PNG (8 or 16) or a TIFF (16, 8, or 32 for linear light in floats)
     #[arg(long, value_name = "BITS", value_parser = ["8", "16", "32"])]
     pub bits: Option<String>,
@@ -108,9 +124,9 @@ pub(crate) struct RenderArguments {
     /// The quality of a JPEG, 1 to 100; 92 by default
     #[arg(long, value_name = "N", value_parser = value_parser!(u8).range(1..=100))]
     pub quality: Option<u8>,
-    /// Width and height in pixels
-    #[arg(long, value_name = "WxH", default_value = "1280x720")]
-    pub size: Size,
+    /// Width and height in pixels; 1280x720 by default, or what a scene of another ray tracer asks for
+    #[arg(long, value_name = "WxH")]
+    pub size: Option<Size>,
     #[command(flatten)]
     pub backend: BackendArguments,
     /// Number of threads, 1 to 1024; all cores by default
@@ -333,15 +349,20 @@ pub(crate) struct MeasureArguments {
 
 #[derive(Debug, Args)]
 pub(crate) struct ConvertArguments {
-    /// A picture of any format that is read, or a scene (.toml); - for standard input
+    /// A picture of any format that is read, or a scene (.toml, .rt, .yml, .nff); - for standard input
     #[arg(value_name = "IN")]
     pub from: PathBuf,
     /// What to write; its extension decides; - for standard output
     #[arg(value_name = "OUT")]
     pub to: PathBuf,
-    /// The format to write, such as png, exr or toml, whatever the name of the file says
+    /// The format to write, such as png, exr, toml or rt, whatever the name of the file says
     #[arg(long, value_name = "FORMAT", value_parser = format)]
     pub format: Option<OutputKind>,
+    /// Width and height of the picture in pixels, for scenes of other ray tracers
+    #[arg(long, value_name = "WxH")]
+    pub size: Option<Size>,
+    #[command(flatten)]
+    pub import: ImportArguments,
     /// The layer to read of an EXR with several
     #[arg(long, value_name = "NAME")]
     pub layer: Option<String>,
@@ -429,6 +450,12 @@ impl FromStr for Size {
     }
 }
 
+impl From<Size> for [u32; 2] {
+    fn from(Size { width, height }: Size) -> Self {
+        [width, height]
+    }
+}
+
 /// A pixel of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Pixel {
@@ -448,7 +475,13 @@ impl FromStr for Pixel {
 }
 
 fn format(text: &str) -> Result<OutputKind, String> {
-    OutputKind::named(text).ok_or_else(|| format!("give {} or toml", format_names()))
+    OutputKind::named(text).ok_or_else(|| {
+        format!(
+            "give {}, toml, {}",
+            format_names(),
+            ForeignFormat::ALL.map(|format| format.extensions().join(", ")).join(", ")
+        )
+    })
 }
 
 fn picture_format(text: &str) -> Result<PictureFormat, String> {

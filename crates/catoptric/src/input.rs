@@ -3,10 +3,14 @@
 use std::path::Path;
 
 use anyhow::{Context as _, Result, anyhow, bail};
-use catoptric_scene::{Example, ImageFault, LoadedScene, Scene, SceneEdit};
+use catoptric_exchange::{ForeignFormat, ImportOptions};
+use catoptric_scene::{
+    Diagnostic, Example, ImageFault, Language, LoadedScene, Scene, SceneEdit, Severity, visible,
+};
 use catoptric_store::{Folder, file_of_image, load};
 
-use crate::console::{color_on, say_colored};
+use crate::arguments::{ImportArguments, SetArguments, Size};
+use crate::console::{color_on, say, say_colored};
 use crate::files::CommandFiles;
 
 /// A scene as the user named it.
@@ -14,14 +18,28 @@ pub(crate) struct NamedScene {
     /// For messages: the path, or the example's name.
     pub name: String,
     pub loaded: LoadedScene,
+    /// What its file says of its picture, if it is a scene of another ray tracer.
+    pub foreign: Option<ForeignPicture>,
+}
+
+/// The picture that a scene of another ray tracer asks for. Its codes are in proportion to its light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct ForeignPicture {
+    /// Width and height, pixels.
+    pub size: Option<[u32; 2]>,
 }
 
 impl NamedScene {
-    /// Shows the warnings about it on standard error.
+    /// Shows the warnings about it on standard error, and of its notes a line each.
     pub(crate) fn warn(&self) {
         let LoadedScene { text, warnings, .. } = &self.loaded;
-        if !warnings.is_empty() {
+        let is_note = |finding: &&Diagnostic| finding.severity == Severity::Note;
+        if warnings.iter().any(|finding| !is_note(&finding)) {
             say_colored(&warnings.render(&self.name, text, color_on(&std::io::stderr())));
+            return;
+        }
+        for note in warnings.iter().filter(is_note) {
+            say(&format!("{}:{}", visible(&self.name), note.line_of_text(Language::English)));
         }
     }
 }
@@ -47,16 +65,22 @@ pub(crate) fn source(path: &Path) -> Result<SceneSource<'_>> {
 }
 
 /// Loads the scene file at `path`, `-` being standard input, or the built-in scene of that name, and sets values of it.
-/// The file and its pictures are added to what the command reads.
-pub(crate) fn scene(path: &Path, edits: &[SceneEdit], files: &mut CommandFiles) -> Result<NamedScene> {
+/// The file and its pictures are added to what the command reads. A scene of another ray tracer is read for a picture
+/// of this size, or the one that it asks for.
+pub(crate) fn scene(
+    path: &Path,
+    set: &SetArguments,
+    size: Option<Size>,
+    files: &mut CommandFiles,
+) -> Result<NamedScene> {
     let mut scene = match source(path)? {
         SceneSource::Example(example) => {
-            NamedScene { name: example.name.to_owned(), loaded: example.load()? }
+            NamedScene { name: example.name.to_owned(), loaded: example.load()?, foreign: None }
         }
-        SceneSource::File(path) => file(path, files)?,
+        SceneSource::File(path) => file(path, set.import, size, files)?,
     };
-    if !edits.is_empty() {
-        edit(&mut scene.loaded.scene, edits, files)?;
+    if !set.edits.is_empty() {
+        edit(&mut scene.loaded.scene, &set.edits, files)?;
     }
     Ok(scene)
 }
@@ -90,11 +114,24 @@ pub(crate) fn check_readable(path: &Path) -> Result<()> {
 }
 
 /// Loads the scene file at `path` as it is; see [`scene`].
-pub(crate) fn file(path: &Path, files: &mut CommandFiles) -> Result<NamedScene> {
+pub(crate) fn file(
+    path: &Path,
+    import: ImportArguments,
+    size: Option<Size>,
+    files: &mut CommandFiles,
+) -> Result<NamedScene> {
     files.add_input(path)?;
-    let loaded = load(path)?;
+    let (loaded, foreign) = match ForeignFormat::of_path(path) {
+        Some(format) => {
+            let ImportArguments { dialect, approximate } = import;
+            let options = ImportOptions { dialect, is_approximate: approximate, size: size.map(Into::into) };
+            let (loaded, size) = catoptric_exchange::load(path, format, &options)?;
+            (loaded, Some(ForeignPicture { size }))
+        }
+        None => (load(path)?, None),
+    };
     files.add_pictures(&loaded.scene, path)?;
-    Ok(NamedScene { name: path.display().to_string(), loaded })
+    Ok(NamedScene { name: path.display().to_string(), loaded, foreign })
 }
 
 /// The error that there is no built-in scene of this name.

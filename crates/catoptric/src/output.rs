@@ -25,7 +25,7 @@ pub(crate) fn format_for_output(path: &Path, format: Option<PictureFormat>) -> R
 
 impl DevelopmentArguments {
     pub(crate) fn development(&self) -> Development {
-        Development { exposure_stops: self.exposure, tone_curve: self.tone_curve }
+        Development { exposure_stops: self.exposure, tone_curve: self.tone_curve.unwrap_or_default() }
     }
 
     /// How to save a picture in this format; formats that hold linear light only leave the bits aside.

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use catoptric_exchange::ForeignFormat;
 use catoptric_picture::PictureFormat;
 
 /// The kind of an output file, known by its extension.
@@ -9,6 +10,8 @@ use catoptric_picture::PictureFormat;
 pub(crate) enum OutputKind {
     Picture(PictureFormat),
     Scene,
+    /// A scene of another ray tracer.
+    ForeignScene(ForeignFormat),
 }
 
 impl OutputKind {
@@ -17,7 +20,8 @@ impl OutputKind {
         if name.eq_ignore_ascii_case("toml") {
             return Some(Self::Scene);
         }
-        PictureFormat::of_extension(name).map(Self::Picture)
+        let foreign = || ForeignFormat::of_extension(name).map(Self::ForeignScene);
+        PictureFormat::of_extension(name).map(Self::Picture).or_else(foreign)
     }
 
     /// The kind of the file at `path`, if its extension is known.

@@ -27,7 +27,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let body = scene.bodies.len() / 2;
     println!("{} bodies", scene.bodies.len());
     let mut editor = Editor::new(scene);
-    let item = editor.edited().bodies().nth(body).unwrap();
+    let item = editor.edited().bodies().nth(body).ok_or("there is no such body")?;
     editor.select(item);
     let live = Live::start(|| ())?;
     println!("opened: {:.1} ms to the stage", ask(&live, &editor));

@@ -28,6 +28,7 @@ impl Development {
             ToneCurve::None => 0,
             ToneCurve::Reinhard => 1,
             ToneCurve::Filmic => 2,
+            ToneCurve::LinearCodes => 3,
         };
         let scale = self.scale();
         [if scale.is_finite() { scale } else { 0.0 }.to_bits(), curve]
@@ -75,6 +76,9 @@ impl Development {
             ToneCurve::None => fill_rgba(light, rgba, |x| table.code(tone::clamp(x * scale))),
             ToneCurve::Reinhard => fill_rgba(light, rgba, |x| table.code(tone::reinhard(x * scale))),
             ToneCurve::Filmic => fill_rgba(light, rgba, |x| table.code(tone::filmic(x * scale))),
+            ToneCurve::LinearCodes => {
+                fill_rgba(light, rgba, |x| table.code(tone::linear_codes(x * scale)));
+            }
         }
     }
 
@@ -93,6 +97,7 @@ impl Development {
             ToneCurve::None => codes.extend(light.map(|x| quantize(tone::clamp(x)))),
             ToneCurve::Reinhard => codes.extend(light.map(|x| quantize(tone::reinhard(x)))),
             ToneCurve::Filmic => codes.extend(light.map(|x| quantize(tone::filmic(x)))),
+            ToneCurve::LinearCodes => codes.extend(light.map(|x| quantize(tone::linear_codes(x)))),
         }
         Ok(codes)
     }
@@ -207,6 +212,14 @@ mod tests {
             let development = Development { exposure_stops, ..Development::default() };
             assert!(develop8(&picture, &development)[8..].iter().all(|&code| code == 0));
         }
+    }
+
+    #[test]
+    fn linear_codes_are_in_proportion_to_the_light() {
+        let picture = Picture::from_fn(256, 1, |x, _| [x as f32 / 255.0; 3]).unwrap();
+        let development = Development { tone_curve: ToneCurve::LinearCodes, ..Development::default() };
+        let expected: Vec<u8> = (0..=255).flat_map(|code| [code; 3]).collect();
+        assert_eq!(develop8(&picture, &development), expected);
     }
 
     #[test]

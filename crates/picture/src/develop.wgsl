@@ -3,7 +3,7 @@
 struct Development {
     // The factor of the exposure.
     scale: f32,
-    // 0 clamps, 1 is Reinhard's curve, 2 the filmic one.
+    // 0 clamps, 1 is Reinhard's curve, 2 the filmic one, 3 gives codes in proportion to light.
     curve: u32,
     // Width and height, pixels.
     size: vec2<u32>,
@@ -43,10 +43,19 @@ fn tone(light: vec3<f32>) -> vec3<f32> {
             let x = clamp(light, vec3(0.0), vec3(100.0));
             return clamp((x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14), vec3(0.0), vec3(1.0));
         }
+        case 3u: {
+            return decode(clamp(light, vec3(0.0), vec3(1.0)));
+        }
         default: {
             return clamp(light, vec3(0.0), vec3(1.0));
         }
     }
+}
+
+// The inverse of the sRGB function.
+fn decode(x: vec3<f32>) -> vec3<f32> {
+    let curved = pow((max(x, vec3(0.04045)) + 0.055) / 1.055, vec3(2.4));
+    return select(curved, x / 12.92, x <= vec3(0.04045));
 }
 
 // The sRGB function (IEC 61966-2-1:1999).

@@ -3,6 +3,8 @@
 use std::fmt;
 use std::str::FromStr;
 
+use crate::srgb;
+
 /// A curve from exposed linear light to displayable linear light, each channel by itself.
 ///
 /// Every curve is monotonic, maps 0, negative values and NaN to 0, and ends within 0…1.
@@ -18,6 +20,9 @@ pub enum ToneCurve {
     /// x (2.51 x + 0.03) / (x (2.43 x + 0.59) + 0.14), then clamped: a toe, and a soft shoulder.
     /// Source: K. Narkowicz, "ACES Filmic Tone Mapping Curve", 2016, without his optional factor 0.6.
     Filmic,
+    /// Clamp to 0…1, then undo the sRGB function, so that codes are in proportion to the light: so write programs that
+    /// know no such function.
+    LinearCodes,
 }
 
 /// There is no tone curve of this name.
@@ -30,14 +35,16 @@ pub struct UnknownToneCurve {
 
 impl ToneCurve {
     /// All curves, in the order in which to offer them.
-    pub const ALL: [ToneCurve; 3] = [ToneCurve::None, ToneCurve::Reinhard, ToneCurve::Filmic];
+    pub const ALL: [ToneCurve; 4] =
+        [ToneCurve::None, ToneCurve::Reinhard, ToneCurve::Filmic, ToneCurve::LinearCodes];
 
-    /// The name in files and on the command line: `none`, `reinhard` or `filmic`.
+    /// The name in files and on the command line: `none`, `reinhard`, `filmic` or `linear-codes`.
     pub fn name(self) -> &'static str {
         match self {
             ToneCurve::None => "none",
             ToneCurve::Reinhard => "reinhard",
             ToneCurve::Filmic => "filmic",
+            ToneCurve::LinearCodes => "linear-codes",
         }
     }
 
@@ -47,6 +54,7 @@ impl ToneCurve {
             ToneCurve::None => clamp(x),
             ToneCurve::Reinhard => reinhard(x),
             ToneCurve::Filmic => filmic(x),
+            ToneCurve::LinearCodes => linear_codes(x),
         }
     }
 }
@@ -88,6 +96,12 @@ pub(crate) fn filmic(x: f32) -> f32 {
     clamp(((x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14)) as f32)
 }
 
+/// The light whose sRGB code is in proportion to x.
+#[inline]
+pub(crate) fn linear_codes(x: f32) -> f32 {
+    clamp(srgb::decode(f64::from(clamp(x))) as f32)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -98,7 +112,7 @@ mod tests {
             assert_eq!(curve.to_string().parse(), Ok(curve));
         }
         let error = "sepia".parse::<ToneCurve>().unwrap_err().to_string();
-        assert!(error.contains("sepia") && error.contains("none, reinhard, filmic"), "{error}");
+        assert!(error.contains("sepia") && error.contains("none, reinhard, filmic, linear-codes"), "{error}");
         assert_eq!(ToneCurve::default(), ToneCurve::None);
     }
 
@@ -121,6 +135,7 @@ mod tests {
         assert_eq!(ToneCurve::None.apply(0.25), 0.25);
         assert_eq!(ToneCurve::Reinhard.apply(1.0), 0.5);
         assert_eq!(ToneCurve::Reinhard.apply(3.0), 0.75);
+        assert!((f64::from(ToneCurve::LinearCodes.apply(0.5)) - 0.214_041_140_482_232_55).abs() < 1e-7);
         assert!((ToneCurve::Filmic.apply(1.0) - 2.54 / 3.16).abs() < 1e-6);
     }
 }

@@ -17,7 +17,7 @@ impl Language {
     pub const ALL: [Self; 2] = [Self::English, Self::Russian];
 
     /// The words of this language.
-    pub(crate) const fn pick(self, english: &'static str, russian: &'static str) -> &'static str {
+    pub const fn pick(self, english: &'static str, russian: &'static str) -> &'static str {
         match self {
             Self::English => english,
             Self::Russian => russian,

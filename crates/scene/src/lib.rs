@@ -22,9 +22,9 @@ pub use color::Color;
 pub use environment::{Environment, Sky, Surroundings};
 pub use examples::Example;
 pub use format::{
-    AddressError, Diagnostic, Diagnostics, LONGEST_TEXT, LoadedScene, ParsedScene, Problem, Related,
-    SceneEdit, SceneKey, ScenePath, SceneValue, Severity, Warned, json_schema, read, read_bytes,
-    update, write, write_fragment,
+    AddressError, Diagnostic, Diagnostics, LONGEST_TEXT, LoadedScene, Number, ParsedScene, Phrase, Problem,
+    Related, SceneEdit, SceneKey, ScenePath, SceneValue, Sentence, Severity, Warned, decode, json_schema,
+    nearest, read, read_bytes, update, write, write_fragment,
 };
 pub use image::{Image, ImageError, ImageFault, ImageSource, NoResources, Resources, UnreadableKind};
 pub use language::Language;

@@ -53,13 +53,17 @@ pub fn load(path: impl AsRef<Path>) -> Result<LoadedScene, LoadError> {
 /// When the file cannot be read at all.
 pub fn load_partly(path: impl AsRef<Path>) -> Result<(ParsedScene, String), LoadError> {
     let path = path.as_ref();
-    let (mut reading, text) = read_bytes(read_file(path)?);
+    let (mut reading, text) = read_bytes(read_file(path, LONGEST_TEXT)?);
     reading.open_images(&Folder::new(directory_of_file(path)), &text);
     Ok((reading, text))
 }
 
-fn read_file(path: &Path) -> Result<Vec<u8>, LoadError> {
-    files::read_bytes(path, LONGEST_TEXT as u64).map_err(|error| {
+/// The bytes of a file, `-` being standard input.
+///
+/// # Errors
+/// When it cannot be read, or is longer than `longest` bytes.
+pub fn read_file(path: &Path, longest: usize) -> Result<Vec<u8>, LoadError> {
+    files::read_bytes(path, longest as u64).map_err(|error| {
         let reason = match error.kind() {
             io::ErrorKind::NotFound => "there is no such file; check its name".to_owned(),
             io::ErrorKind::PermissionDenied => {
@@ -67,7 +71,7 @@ fn read_file(path: &Path) -> Result<Vec<u8>, LoadError> {
             }
             io::ErrorKind::IsADirectory => "it is a folder; name a scene file in it".to_owned(),
             io::ErrorKind::FileTooLarge => {
-                format!("it is longer than {} MiB, the longest a scene can be", LONGEST_TEXT >> 20)
+                format!("it is longer than {} MiB, the longest a scene can be", longest >> 20)
             }
             io::ErrorKind::OutOfMemory => {
                 "there is not enough memory for it; close other programs".to_owned()

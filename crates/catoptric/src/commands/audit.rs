@@ -16,7 +16,7 @@ pub(crate) fn run(arguments: &AuditArguments) -> Result<CommandOutcome> {
     for path in arguments.dot.iter().chain(&arguments.svg) {
         files.add_output(path)?;
     }
-    let input = input::scene(&arguments.scene, &arguments.set.edits, &mut files)?;
+    let input = input::scene(&arguments.scene, &arguments.set, Some(arguments.size), &mut files)?;
     input.warn();
     let scene = &input.loaded.scene;
     let render_scene = RenderScene::build(scene).with_context(|| input.name.clone())?;

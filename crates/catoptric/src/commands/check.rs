@@ -28,7 +28,7 @@ pub(crate) fn run(arguments: &CheckArguments) -> Result<CommandOutcome> {
 /// Whether the scene can be used, and a report on it: its findings, notes, and a line with the verdict.
 fn check(path: &Path, arguments: &CheckArguments, color: bool) -> Result<(bool, String)> {
     let name = visible(&path.display().to_string()).into_owned();
-    Ok(match input::scene(path, &arguments.set.edits, &mut CommandFiles::default()) {
+    Ok(match input::scene(path, &arguments.set, None, &mut CommandFiles::default()) {
         Ok(input::NamedScene { loaded, .. }) => {
             let found = findings(&loaded.warnings, &name, &loaded.text, color);
             let notes = notes::on_scene(&name, &loaded.scene);
@@ -70,10 +70,16 @@ fn keys(scene: &Scene) -> String {
 fn praise(scene: &Scene, warnings: &Diagnostics) -> String {
     let bodies = count(scene.bodies.len(), "body", "bodies");
     let lights = count(scene.lights.len(), "light", "lights");
-    match warnings.len() + warnings.omitted() {
-        0 => format!("good ({bodies}, {lights})"),
-        number => format!("good, {} ({bodies}, {lights})", count(number, "warning", "warnings")),
+    let notes = warnings.iter().filter(|finding| finding.severity == Severity::Note).count();
+    let mut verdict = String::from("good");
+    for (number, one, many) in
+        [(warnings.len() + warnings.omitted() - notes, "warning", "warnings"), (notes, "note", "notes")]
+    {
+        if number > 0 {
+            verdict += &format!(", {}", count(number, one, many));
+        }
     }
+    format!("{verdict} ({bodies}, {lights})")
 }
 
 fn blame(diagnostics: &Diagnostics) -> String {
@@ -82,7 +88,8 @@ fn blame(diagnostics: &Diagnostics) -> String {
     }
     let errors = diagnostics.iter().filter(|finding| finding.severity == Severity::Error).count();
     let verdict = format!("bad, {}", count(errors, "error", "errors"));
-    match diagnostics.len() - errors {
+    let warnings = diagnostics.iter().filter(|finding| finding.severity == Severity::Warning).count();
+    match warnings {
         0 => verdict,
         warnings => format!("{verdict}, {}", count(warnings, "warning", "warnings")),
     }

@@ -30,7 +30,9 @@ pub(crate) fn run(arguments: &CompareArguments) -> Result<CommandOutcome> {
         bail!("--set changes a scene, but only pictures are compared; name a scene");
     }
     let input = arguments.scene.as_deref();
-    let input = input.map(|scene| input::scene(scene, &arguments.set.edits, &mut files)).transpose()?;
+    let input = input
+        .map(|scene| input::scene(scene, &arguments.set, Some(arguments.size), &mut files))
+        .transpose()?;
     if let Some(input) = &input
         && !arguments.quiet
     {

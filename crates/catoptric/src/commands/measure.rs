@@ -29,7 +29,7 @@ pub(crate) fn run(arguments: &MeasureArguments) -> Result<CommandOutcome> {
     let questions = questions.context("--answers")?.unwrap_or_default();
     Picture::check_size(arguments.size.width, arguments.size.height)?;
     let mut files = CommandFiles::default();
-    let input = input::scene(&arguments.scene, &arguments.set.edits, &mut files)?;
+    let input = input::scene(&arguments.scene, &arguments.set, Some(arguments.size), &mut files)?;
     if !arguments.quiet {
         input.warn();
     }

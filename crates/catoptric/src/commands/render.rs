@@ -4,9 +4,10 @@ use std::path::Path;
 use std::time::Instant;
 
 use anyhow::{Context as _, Result};
+use catoptric_exchange::DEFAULT_SIZE;
 use catoptric_lab::depth::DepthMeasure;
 use catoptric_lab::maps::{MapKind, MapSettings, map};
-use catoptric_picture::{Development, Picture, PictureFormat, SampleDepth, SaveOptions};
+use catoptric_picture::{Development, Picture, PictureFormat, SampleDepth, SaveOptions, ToneCurve};
 use catoptric_tracer::raster::{GBufferLayer, MethodOutput};
 use catoptric_tracer::{RenderControl, RenderScene, RenderSettings};
 
@@ -23,19 +24,16 @@ use crate::{input, memory, notes};
 pub(crate) fn run(arguments: &RenderArguments) -> Result<CommandOutcome> {
     let method = arguments.method.chosen()?;
     let mut files = CommandFiles::default();
-    let options = refuse_early(arguments, &mut files)?;
+    let mut options = refuse_early(arguments, &mut files)?;
     let drawer = Renderer::chosen(&arguments.backend, &method, arguments.map.is_some())?;
     let progress = Progress::new(arguments.quiet);
     let mut times = StepTimes::default();
 
     let pool = threads(arguments.threads.map_or(0, usize::from))?;
-    let (width, height) = (arguments.size.width, arguments.size.height);
-    let settings = RenderSettings { width, height, samples: arguments.samples };
-    Picture::check_size(width, height)?;
-
     let start = Instant::now();
-    let input = input::scene(&arguments.scene, &arguments.set.edits, &mut files)?;
+    let input = input::scene(&arguments.scene, &arguments.set, arguments.size, &mut files)?;
     times.read = milliseconds(start);
+    let settings = picture_settings(arguments, input.foreign, &mut options)?;
     if !arguments.quiet {
         warn_of_scene(&input);
     }
@@ -96,6 +94,28 @@ pub(crate) fn run(arguments: &RenderArguments) -> Result<CommandOutcome> {
         advise(&render_scene, settings, &pool);
     }
     Ok(CommandOutcome::Done)
+}
+
+/// The size of the picture, and how its codes follow from its light: what the arguments leave open, a scene of another
+/// ray tracer may ask for.
+fn picture_settings(
+    arguments: &RenderArguments,
+    foreign: Option<input::ForeignPicture>,
+    options: &mut SaveOptions,
+) -> Result<RenderSettings> {
+    let asked = foreign.and_then(|foreign| foreign.size).unwrap_or(DEFAULT_SIZE);
+    let [width, height] = arguments.size.map_or(asked, Into::into);
+    check_size(width, height, options)?;
+    if foreign.is_some() && arguments.development.tone_curve.is_none() {
+        options.development.tone_curve = ToneCurve::LinearCodes;
+    }
+    Ok(RenderSettings { width, height, samples: arguments.samples })
+}
+
+fn check_size(width: u32, height: u32, options: &SaveOptions) -> Result<()> {
+    Picture::check_size(width, height)?;
+    options.check_size(width, height)?;
+    Ok(())
 }
 
 /// Writes a map instead of the picture: in colors with a legend, or its numbers where the format is linear.
@@ -168,8 +188,9 @@ fn advise(render_scene: &RenderScene, settings: RenderSettings, pool: &rayon::Th
 fn refuse_early(arguments: &RenderArguments, files: &mut CommandFiles) -> Result<SaveOptions> {
     let format = format_for_output(&arguments.output, arguments.format)?;
     let options = arguments.development.save_options(format, arguments.quality)?;
-    Picture::check_size(arguments.size.width, arguments.size.height)?;
-    options.check_size(arguments.size.width, arguments.size.height)?;
+    if let Some(size) = arguments.size {
+        check_size(size.width, size.height, &options)?;
+    }
     files.add_picture_output(&arguments.output)?;
     if let Some(path) = &arguments.stats {
         files.add_output(path)?;

@@ -17,6 +17,7 @@ mod convert;
 mod desk;
 mod diff;
 mod examples;
+mod foreign;
 mod formats;
 #[cfg(unix)]
 mod interrupt;

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::ops::Range;
 
-use crate::format::message::Message;
+use crate::format::message::{Message, Sentence};
 use crate::image::{ImageError, ImageSource};
 use crate::language::Language;
 
@@ -14,10 +14,12 @@ pub enum Severity {
     Error,
     /// The file can be used; something in it is probably not meant so.
     Warning,
+    /// The file can be used; something in it can be read in several ways, and this says in which it was.
+    Note,
 }
 
 impl Severity {
-    /// `error` or `warning`.
+    /// `error`, `warning` or `note`.
     pub const fn word(self) -> &'static str {
         self.word_in(Language::English)
     }
@@ -27,6 +29,7 @@ impl Severity {
         match self {
             Self::Error => language.pick("error", "ошибка"),
             Self::Warning => language.pick("warning", "предупреждение"),
+            Self::Note => language.pick("note", "замечание"),
         }
     }
 }
@@ -95,6 +98,30 @@ impl Diagnostic {
         format!("{}:{}: {severity}: {}", self.line, self.column, self.message(language))
     }
 
+    /// A finding of the reader of another format. Its line and column are still to be found, by
+    /// [`Diagnostics::locate`].
+    pub fn said(severity: Severity, span: Range<usize>, sentence: impl Into<Sentence>) -> Self {
+        Self::new(severity, span, Message::Said { sentence: sentence.into() })
+    }
+
+    /// Adds a label beside the mark.
+    #[must_use]
+    pub fn labeled(self, sentence: impl Into<Sentence>) -> Self {
+        self.with_label(Message::Said { sentence: sentence.into() })
+    }
+
+    /// Adds help: what is allowed, or what to do.
+    #[must_use]
+    pub fn helped(self, sentence: impl Into<Sentence>) -> Self {
+        self.with_help(Message::Said { sentence: sentence.into() })
+    }
+
+    /// Adds another place of the file that explains the finding.
+    #[must_use]
+    pub fn related_to(self, span: Range<usize>, sentence: impl Into<Sentence>) -> Self {
+        self.with_related(span, Message::Said { sentence: sentence.into() })
+    }
+
     /// A finding whose line and column are still to be found.
     pub(crate) fn new(severity: Severity, span: Range<usize>, message: Message) -> Self {
         Self { severity, span, line: 0, column: 0, message, label: None, help: None, related: None }
@@ -147,7 +174,7 @@ impl Diagnostics {
     pub const MOST: usize = 1000;
 
     /// Adds a finding, or counts it when there are too many already.
-    pub(crate) fn push(&mut self, diagnostic: Diagnostic) {
+    pub fn push(&mut self, diagnostic: Diagnostic) {
         self.push_with(|| diagnostic);
     }
 
@@ -186,7 +213,7 @@ impl Diagnostics {
     }
 
     /// Puts the findings in the order of `text` and finds their lines and columns, in one walk over the text.
-    pub(crate) fn locate(&mut self, text: &str) {
+    pub fn locate(&mut self, text: &str) {
         self.list.sort_by_key(|diagnostic| diagnostic.span.start);
         let mut places: Vec<usize> = self.list.iter().map(|diagnostic| diagnostic.span.start).collect();
         places
@@ -232,7 +259,7 @@ impl Diagnostics {
     }
 
     /// Keeps the findings that `keep` accepts.
-    pub(crate) fn retain(&mut self, keep: impl FnMut(&Diagnostic) -> bool) {
+    pub fn retain(&mut self, keep: impl FnMut(&Diagnostic) -> bool) {
         self.list.retain(keep);
     }
 }

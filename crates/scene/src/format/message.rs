@@ -12,6 +12,7 @@ pub(crate) use catalog::Message;
 pub(crate) use phrase::{
     Collection, Component, Conjunction, Enumeration, FoundValue, KeyMeaning, Requirement, Subject,
 };
+pub use phrase::{Number, Phrase, Sentence};
 
 #[cfg(test)]
 mod tests;

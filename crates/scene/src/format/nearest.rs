@@ -7,7 +7,7 @@ const MOST_CANDIDATES: usize = 2000;
 
 /// The candidate that `word` is most likely a misspelling of: at most a third of its letters (and at least one) wrong,
 /// missing, surplus or swapped with a neighbor; case does not count.
-pub(crate) fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     if word.is_empty() || word.len() > LONGEST_WORD {
         return None;
     }

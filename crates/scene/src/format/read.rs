@@ -95,23 +95,31 @@ pub fn read(text: &str) -> ParsedScene {
 /// Reads a scene from the bytes of a file, which should be UTF-8. With the reading comes the text that its places
 /// refer to.
 pub fn read_bytes(bytes: Vec<u8>) -> (ParsedScene, String) {
-    match String::from_utf8(bytes) {
+    match decode(bytes) {
         Ok(text) => (read(&text), text),
-        Err(error) => {
-            let at = error.utf8_error().valid_up_to();
-            let text = String::from_utf8_lossy(error.as_bytes()).into_owned();
-            let byte = error.as_bytes().get(at).copied().unwrap_or_default();
-            let mut diagnostics = Diagnostics::default();
-            let place = at..at + char::REPLACEMENT_CHARACTER.len_utf8();
-            diagnostics.push(
-                Diagnostic::error(place, Message::NotUtf8)
-                    .with_label(Message::ByteOutOfPlace { byte: format!("0x{byte:02x}") })
-                    .with_help(Message::SaveAsUtf8),
-            );
-            diagnostics.locate(&text);
-            (ParsedScene { scene: Scene::default(), diagnostics }, text)
-        }
+        Err((diagnostics, text)) => (ParsedScene { scene: Scene::default(), diagnostics }, text),
     }
+}
+
+/// The text of a file.
+///
+/// # Errors
+/// When it is not UTF-8: the finding, and the text that its place refers to.
+pub fn decode(bytes: Vec<u8>) -> Result<String, (Diagnostics, String)> {
+    String::from_utf8(bytes).map_err(|error| {
+        let at = error.utf8_error().valid_up_to();
+        let text = String::from_utf8_lossy(error.as_bytes()).into_owned();
+        let byte = error.as_bytes().get(at).copied().unwrap_or_default();
+        let mut diagnostics = Diagnostics::default();
+        let place = at..at + char::REPLACEMENT_CHARACTER.len_utf8();
+        diagnostics.push(
+            Diagnostic::error(place, Message::NotUtf8)
+                .with_label(Message::ByteOutOfPlace { byte: format!("0x{byte:02x}") })
+                .with_help(Message::SaveAsUtf8),
+        );
+        diagnostics.locate(&text);
+        (diagnostics, text)
+    })
 }
 
 /// A header of a list where a table belongs.

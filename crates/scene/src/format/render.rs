@@ -41,6 +41,7 @@ fn render_one(diagnostic: &Diagnostic, file_name: &str, text: &str, renderer: &R
     let level = match diagnostic.severity {
         Severity::Error => Level::ERROR,
         Severity::Warning => Level::WARNING,
+        Severity::Note => Level::NOTE,
     };
     let marked = MarkedLine::new(text, &diagnostic.span);
     let label = diagnostic.label(LANGUAGE).unwrap_or_default();

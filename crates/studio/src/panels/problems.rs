@@ -191,8 +191,8 @@ impl FindingRank {
     fn of(finding: &Diagnostic, is_note: bool) -> Self {
         match finding.severity {
             Severity::Error => Self::Error,
-            Severity::Warning if is_note => Self::Note,
-            Severity::Warning => Self::Warning,
+            Severity::Warning if !is_note => Self::Warning,
+            Severity::Warning | Severity::Note => Self::Note,
         }
     }
 

@@ -5,9 +5,10 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use catoptric_editor::SceneWriter;
+use catoptric_exchange::{ForeignFormat, ImportOptions};
 use catoptric_platform::files::{FileStamp, WriteError};
 use catoptric_platform::time::SystemTime;
-use catoptric_scene::{Diagnostic, Diagnostics, LONGEST_TEXT, Scene};
+use catoptric_scene::{Diagnostic, Diagnostics, LONGEST_TEXT, LoadedScene, Scene};
 use catoptric_store::{LoadError, load_partly, save};
 use fluent_bundle::FluentValue;
 
@@ -21,6 +22,8 @@ pub(crate) struct OpenedScene {
     pub(crate) scene: Scene,
     pub(crate) findings: Diagnostics,
     pub(crate) stamp: Option<FileStamp>,
+    /// Whether it is a scene of another ray tracer: the document has no file yet.
+    pub(crate) is_foreign: bool,
 }
 
 /// The reason why a file cannot be opened.
@@ -39,12 +42,37 @@ pub(crate) enum ReadFailure {
 pub(crate) fn read(path: &Path) -> Result<OpenedScene, ReadFailure> {
     // Looked at before reading: what is written meanwhile counts as a change.
     let stamp = FileStamp::of(path);
+    if let Some(format) = ForeignFormat::of_path(path) {
+        return read_foreign(path, format, stamp);
+    }
     let (reading, text) = load_partly(path).map_err(|error| read_failure(path, error))?;
     if reading.diagnostics.has_errors() && reading.scene == Scene::default() {
         return Err(ReadFailure::Nothing(reading.diagnostics.iter().take(3).cloned().collect()));
     }
     let (scene, findings) = (reading.scene, reading.diagnostics);
-    Ok(OpenedScene { path: path.to_owned(), text: text.into(), scene, findings, stamp })
+    Ok(OpenedScene { path: path.to_owned(), text: text.into(), scene, findings, stamp, is_foreign: false })
+}
+
+/// Reads a scene of another ray tracer, which must have no errors.
+fn read_foreign(
+    path: &Path,
+    format: ForeignFormat,
+    stamp: Option<FileStamp>,
+) -> Result<OpenedScene, ReadFailure> {
+    match catoptric_exchange::load(path, format, &ImportOptions::default()) {
+        Ok((LoadedScene { scene, text, warnings }, _)) => Ok(OpenedScene {
+            path: path.to_owned(),
+            text: text.into(),
+            scene,
+            findings: warnings,
+            stamp,
+            is_foreign: true,
+        }),
+        Err(LoadError::Diagnostics { diagnostics, .. }) => {
+            Err(ReadFailure::Nothing(diagnostics.iter().take(3).cloned().collect()))
+        }
+        Err(error) => Err(read_failure(path, error)),
+    }
 }
 
 fn read_failure(path: &Path, error: LoadError) -> ReadFailure {

@@ -21,7 +21,7 @@ use std::sync::Arc;
 use catoptric_editor::Editor;
 use catoptric_editor::navigate::CachedCameraRange;
 use catoptric_platform::time::SystemTime;
-use catoptric_scene::Example;
+use catoptric_scene::{Example, write};
 use egui::{Context, ViewportCommand};
 
 use crate::base::example_texts::example_title;
@@ -158,7 +158,17 @@ fn show_example(studio: &mut Studio, example: &'static Example) {
 }
 
 fn show_opened(studio: &mut Studio, opened: OpenedScene) {
-    let OpenedScene { path, text, scene, findings, stamp } = opened;
+    let OpenedScene { path, text, scene, findings, stamp, is_foreign } = opened;
+    if is_foreign {
+        // Saving writes another file, in the format of this program.
+        let title = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        show(studio, Editor::untitled(title, write(&scene), scene));
+        studio.editor.mark_unsaved();
+        studio.settings.remember_recent(&path);
+        studio.settings.last = Some(LastScene::File(path));
+        banner::show_findings(studio, text, findings);
+        return;
+    }
     show(studio, Editor::open(path.clone(), text.clone(), scene));
     studio.documents.may = stamp.map(OverwriteRule::Update);
     studio.documents.text_on_disk = Some(Arc::clone(&text));
@@ -185,7 +195,7 @@ fn ask_for(studio: &mut Studio, purpose: FilePurpose) {
     let is_saving = matches!(purpose, FilePurpose::Saving(..));
     let key = if is_saving { "ask-save-as" } else { "ask-open" };
     let question = FileQuestion {
-        kind: FileKind::Scene,
+        kind: if is_saving { FileKind::Scene } else { FileKind::ReadScene },
         is_saving,
         title: studio.texts.get(key).to_owned(),
         folder: usual_folder(studio),

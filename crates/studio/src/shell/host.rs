@@ -6,6 +6,7 @@ mod desktop;
 use std::path::PathBuf;
 use std::sync::mpsc::Receiver;
 
+use catoptric_exchange::ForeignFormat;
 use catoptric_picture::PictureFormat;
 
 #[cfg(not(target_family = "wasm"))]
@@ -14,8 +15,10 @@ pub use desktop::DesktopHost;
 /// The kind of file that a person chooses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FileKind {
-    /// A scene: `.toml`.
+    /// A scene to be written: `.toml`.
     Scene,
+    /// A scene to be read: `.toml`, or one of another ray tracer.
+    ReadScene,
     /// A picture of any format that is read.
     Picture,
     /// A picture to be written.
@@ -33,6 +36,10 @@ impl FileKind {
     pub fn extensions(self) -> Vec<&'static str> {
         match self {
             Self::Scene => vec!["toml"],
+            Self::ReadScene => {
+                let foreign = ForeignFormat::ALL.into_iter().flat_map(ForeignFormat::extensions);
+                std::iter::once("toml").chain(foreign.copied()).collect()
+            }
             Self::Picture => PictureFormat::all_extensions(false).collect(),
             Self::SavedPicture => PictureFormat::all_extensions(true).collect(),
             Self::Drawing => vec!["svg"],

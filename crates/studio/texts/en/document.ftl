@@ -83,7 +83,7 @@ read-missing = There is no file { $path }. Perhaps it was moved or renamed; open
 read-denied = You have no right to read { $path }. Change the rights of the file, or open another one.
 read-folder = { $path } is a folder. Choose a scene file in it.
 read-too-long = { $path } is longer than { $limit } MiB, the longest a scene can be.
-read-nothing = There is no scene in { $path } that could be read. Choose a scene file (.toml), or mend this one in a text editor:
+read-nothing = There is no scene in { $path } that could be read. Choose a scene file (.toml, .rt, .yml, .nff), or mend this one in a text editor:
 
     { $found }
 read-other = { $path } cannot be read: { $reason }
@@ -105,7 +105,7 @@ write-other = { $path } cannot be written: { $reason }
 
 # Dropping files on the window
 drop-here = Drop a scene file to open it
-dropped-other = Only scene files (.toml) can be opened, and pictures (.png, .exr) put around the scene.
+dropped-other = Only scene files (.toml, .rt, .yml, .nff) can be opened, and pictures (.png, .exr) put around the scene.
 dropped-several = Of the files that were dropped, { $name } is opened.
 dropped-later = Answer the dialog first, then drop { $name } again.
 

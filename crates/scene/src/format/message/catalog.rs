@@ -1,20 +1,29 @@
 //! The catalog: every message with its arguments, in English and in Russian.
 
-use std::borrow::Cow;
-
 use crate::format::message::phrase::{
-    Collection, Enumeration, FoundValue, KeyMeaning, Phrase as _, Requirement, Subject,
+    Collection, Enumeration, FoundValue, KeyMeaning, Requirement, Sentence, Subject,
 };
 use crate::format::message::syntax::SyntaxFault;
 use crate::format::spec::{Kind, TableSpec};
 use crate::image::ImageError;
-use crate::language::Language;
-use crate::text::visible;
 
-/// Makes the messages: a name, its arguments, the English sentence and the Russian one. Both name all arguments.
+/// Makes a catalog of messages: an enum `Message` of names with arguments, each with its English and its Russian
+/// sentence. Both sentences name all arguments, which are [`Phrase`](crate::Phrase)s.
+///
+/// ```
+/// # use catoptric_scene::{Diagnostic, Language, Sentence, Severity};
+/// catoptric_scene::messages! {
+///     Unknown { name: String }:
+///         "there is no {name}",
+///         "нет такого имени: {name}";
+/// }
+/// let finding = Diagnostic::said(Severity::Error, 0..1, Message::Unknown { name: "a".to_owned() });
+/// assert_eq!(finding.message(Language::English), "there is no a");
+/// ```
+#[macro_export]
 macro_rules! messages {
-    ($($name:ident $({ $($field:ident: $kind:ty),+ })?: $english:literal, $russian:literal;)+) => {
-        /// A message about a scene file or a scene, independent of the language.
+    ($($name:ident $({ $($field:ident: $kind:ty),+ $(,)? })?: $english:literal, $russian:literal;)+) => {
+        /// A message, independent of the language.
         #[derive(Clone, Debug, PartialEq, Eq)]
         pub(crate) enum Message {
             $($name $({ $($field: $kind),+ })?,)+
@@ -23,33 +32,35 @@ macro_rules! messages {
         impl Message {
             /// The name, the English and the Russian sentence of every message, for tests.
             #[cfg(test)]
-            pub(super) const SENTENCES: &'static [[&'static str; 3]] =
+            pub(crate) const SENTENCES: &'static [[&'static str; 3]] =
                 &[$([stringify!($name), $english, $russian]),+];
 
-            fn sentence(&self, language: Language) -> String {
-                match self {
+            /// The message in words. Whatever of the file it repeats, it is one line that does nothing but be seen.
+            pub(crate) fn text(&self, language: $crate::Language) -> String {
+                #[allow(unused_imports, reason = "a catalog may have no arguments")]
+                use $crate::Phrase as _;
+                let sentence = match self {
                     $(Self::$name $({ $($field),+ })? => {
                         $($(let $field = $field.phrase(language);)+)?
                         match language {
-                            Language::English => format_args!($english).to_string(),
-                            Language::Russian => format_args!($russian).to_string(),
+                            $crate::Language::English => format_args!($english).to_string(),
+                            $crate::Language::Russian => format_args!($russian).to_string(),
                         }
                     })+
+                };
+                match $crate::visible(&sentence) {
+                    ::std::borrow::Cow::Borrowed(_) => sentence,
+                    ::std::borrow::Cow::Owned(visible) => visible,
                 }
             }
         }
-    };
-}
 
-impl Message {
-    /// The message in words. Whatever of the file it repeats, it is one line that does nothing but be seen.
-    pub(crate) fn text(&self, language: Language) -> String {
-        let sentence = self.sentence(language);
-        match visible(&sentence) {
-            Cow::Borrowed(_) => sentence,
-            Cow::Owned(visible) => visible,
+        impl From<Message> for $crate::Sentence {
+            fn from(message: Message) -> Self {
+                Self::new(|language| message.text(language))
+            }
         }
-    }
+    };
 }
 
 messages! {
@@ -328,6 +339,11 @@ messages! {
     NoImage { error: ImageError }:
         "{error}",
         "{error}";
+
+    // Files of other programs.
+    Said { sentence: Sentence }:
+        "{sentence}",
+        "{sentence}";
 
     // Addresses of values.
     NotAPath { text: String }:

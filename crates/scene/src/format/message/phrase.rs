@@ -9,7 +9,7 @@ use crate::format::spec::{KeySpec, Kind, TableSpec};
 use crate::language::{Language, russian_genitive};
 
 /// An argument of a message.
-pub(crate) trait Phrase {
+pub trait Phrase {
     /// The argument in words.
     fn phrase(&self, language: Language) -> Cow<'_, str>;
 }
@@ -21,9 +21,37 @@ impl Phrase for str {
     }
 }
 
-/// A number for people.
+/// A sentence in every language.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Number(String);
+pub struct Sentence {
+    english: String,
+    russian: String,
+}
+
+impl Sentence {
+    /// The sentence that `in_language` gives for each language.
+    pub fn new(in_language: impl Fn(Language) -> String) -> Self {
+        Self { english: in_language(Language::English), russian: in_language(Language::Russian) }
+    }
+
+    /// The sentence in a language.
+    pub fn text(&self, language: Language) -> &str {
+        match language {
+            Language::English => &self.english,
+            Language::Russian => &self.russian,
+        }
+    }
+}
+
+impl Phrase for Sentence {
+    fn phrase(&self, language: Language) -> Cow<'_, str> {
+        self.text(language).into()
+    }
+}
+
+/// A number for people, as short as it can be.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Number(String);
 
 impl From<f64> for Number {
     fn from(value: f64) -> Self {

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use catoptric_scene::{Diagnostic, Diagnostics, Scene, Severity};
 
-/// For each finding about `text`, whether it only says that a material of `scene` is not used.
+/// For each finding about `text`, whether it is a note, or only says that a material of `scene` is not used.
 pub(super) fn notes(findings: &Diagnostics, text: &str, scene: &Scene) -> Vec<bool> {
     let has_warnings = findings.iter().any(|finding| finding.severity == Severity::Warning);
     let unused = if has_warnings { unused_materials(scene) } else { BTreeSet::new() };
@@ -19,7 +19,8 @@ fn unused_materials(scene: &Scene) -> BTreeSet<&str> {
 /// Whether the mark of a warning is the name of an unused material. The words of the finding do not matter.
 fn is_note(finding: &Diagnostic, text: &str, unused: &BTreeSet<&str>) -> bool {
     let marked = text.get(finding.span.clone()).unwrap_or_default();
-    finding.severity == Severity::Warning && unused.contains(marked.trim_matches(['"', '\'']))
+    finding.severity == Severity::Note
+        || finding.severity == Severity::Warning && unused.contains(marked.trim_matches(['"', '\'']))
 }
 
 #[cfg(test)]

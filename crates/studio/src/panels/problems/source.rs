@@ -25,6 +25,7 @@ pub(super) fn source_ui(ui: &mut Ui, cx: &Cx<'_>, problems: &mut ProblemsPanel) 
     let color = match finding.severity {
         catoptric_scene::Severity::Error => palette.error,
         catoptric_scene::Severity::Warning => palette.warning,
+        catoptric_scene::Severity::Note => palette.accent,
     };
     let font = FontId::monospace(12.5);
     let (first, lines) = lines_around(&problems.text, finding.span.start, finding.line);

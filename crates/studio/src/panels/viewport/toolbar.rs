@@ -149,6 +149,7 @@ fn exposure_ui(ui: &mut Ui, cx: &mut Cx<'_>) {
         (ToneCurve::None, "viewport-tone-none"),
         (ToneCurve::Reinhard, "viewport-tone-reinhard"),
         (ToneCurve::Filmic, "viewport-tone-filmic"),
+        (ToneCurve::LinearCodes, "viewport-tone-linear-codes"),
     ] {
         let name = cx.texts.get(key);
         let choice = ui.radio_value(&mut cx.view.development.tone_curve, curve, name);

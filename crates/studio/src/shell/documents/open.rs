@@ -128,7 +128,7 @@ pub(super) fn take_dropped(context: &Context, studio: &mut Studio) {
     if dropped.is_empty() {
         return;
     }
-    match dropped.iter().find(|path| file_prompt::fits(path, FileKind::Scene)) {
+    match dropped.iter().find(|path| file_prompt::fits(path, FileKind::ReadScene)) {
         Some(path) if studio.dialogs.is_any_open() => {
             let name = path.display().to_string();
             studio.toasts.info(studio.texts.with("dropped-later", &[("name", name.into())]));

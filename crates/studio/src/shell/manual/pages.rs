@@ -24,6 +24,7 @@ macro_rules! sources {
 pub(super) const SOURCES: &[ManualDocument] = &sources![
     "studio.md",
     "scene-format.md",
+    "exchange.md",
     "materials.md",
     "surroundings.md",
     "model.md",

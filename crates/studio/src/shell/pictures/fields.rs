@@ -20,6 +20,7 @@ const fn tone_key(curve: ToneCurve) -> &'static str {
         ToneCurve::None => "viewport-tone-none",
         ToneCurve::Reinhard => "viewport-tone-reinhard",
         ToneCurve::Filmic => "viewport-tone-filmic",
+        ToneCurve::LinearCodes => "viewport-tone-linear-codes",
     }
 }
 

@@ -1,0 +1,13 @@
+//! Scenes of *The Ray Tracer Challenge* (Buck 2019), as its author publishes them.
+
+mod material;
+mod pattern;
+mod read;
+mod shape;
+mod table;
+mod transform;
+mod write;
+mod yaml;
+
+pub(crate) use read::read;
+pub(crate) use write::write;

@@ -1,0 +1,76 @@
+//! Materials of the book as Phong's coefficients.
+
+use std::ops::Range;
+
+use catoptric_scene::{Color, Material, Pattern, Phong};
+
+use crate::challenge::pattern::Surface;
+use crate::challenge::read::ChallengeReader;
+use crate::challenge::table::{self, Table};
+use crate::challenge::yaml::Node;
+use crate::message::Message;
+
+/// The defaults of Buck 2019, chapters 6 and 11.
+pub(super) fn default_material() -> Phong {
+    Phong {
+        pattern: Pattern::from(Color::WHITE),
+        ambient: 0.1,
+        diffuse: 0.9,
+        specular: 0.9,
+        shininess: 200.0,
+        reflection: Some(0.0),
+        transmission: 0.0,
+        ior: 1.0,
+        ..Phong::default()
+    }
+}
+
+impl ChallengeReader {
+    /// The material that a table describes, or the name of one.
+    pub(super) fn material(&mut self, node: &Node, surface: &Surface<'_>) -> Option<Material> {
+        let mut phong = default_material();
+        let mut table = Table::open(node, "material", &mut self.draft)?;
+        if let Some(color) = table.take(&["color"]) {
+            let color = self.resolved(&color);
+            phong.pattern = table::color(&color, "color", &mut self.draft)?.into();
+        }
+        if let Some(pattern) = table.take(&["pattern"]) {
+            let pattern = self.resolved(&pattern);
+            phong.pattern = self.pattern(&pattern, surface)?;
+        }
+        let draft = &mut self.draft;
+        let any = [0.0, 1e6];
+        let mut reflective = 0.0;
+        for (keys, range, value) in [
+            (&["ambient"] as &[&str], any, &mut phong.ambient),
+            (&["diffuse"], any, &mut phong.diffuse),
+            (&["specular"], any, &mut phong.specular),
+            (&["shininess"], any, &mut phong.shininess),
+            (&["reflective", "reflectivity"], any, &mut reflective),
+            (&["transparency"], any, &mut phong.transmission),
+            (&["refractive-index"], [0.01, 100.0], &mut phong.ior),
+        ] {
+            if let Some(found) = table.number(keys, range, draft) {
+                *value = found;
+            }
+        }
+        phong.reflection = Some(reflective);
+        let span = table.span.clone();
+        table.end(draft);
+        self.differences(&phong, &span);
+        Some(Material::Phong(phong))
+    }
+
+    /// Says once in which ways the book's picture differs.
+    fn differences(&mut self, phong: &Phong, span: &Range<usize>) {
+        if phong.transmission <= 0.0 {
+            return;
+        }
+        if !std::mem::replace(&mut self.said.shadows, true) {
+            self.draft.warn(span, Message::BookShadows);
+        }
+        if phong.reflection() > 0.0 && !std::mem::replace(&mut self.said.schlick, true) {
+            self.draft.warn(span, Message::BookSchlick);
+        }
+    }
+}

@@ -1,0 +1,322 @@
+//! Reading scenes of the book: a list of things to define and to add.
+
+use std::collections::HashMap;
+use std::ops::Range;
+use std::rc::Rc;
+
+use catoptric_scene::{Camera, Color, Diagnostics, Light, Projection, nearest};
+use glam::{DAffine3, DVec3};
+
+use crate::camera::vertical_from_horizontal;
+use crate::challenge::shape::MIRROR;
+use crate::challenge::table::{self, Table};
+use crate::challenge::yaml::{MOST_DEEP, Node, Value, parse};
+use crate::draft::Draft;
+use crate::message::Message;
+use crate::options::{DEFAULT_SIZE, ImportOptions, ImportedScene};
+
+/// The most parts that definitions may make: bodies, groups and transforms.
+const MOST_PARTS: usize = 200_000;
+/// What can be added, besides definitions.
+const SHAPES: [&str; 8] = ["camera", "light", "sphere", "plane", "cube", "cylinder", "cone", "group"];
+/// What the book has and a scene does not.
+const NOT_DRAWN: [&str; 5] = ["csg", "obj", "obj-file", "triangle", "smooth-triangle"];
+
+/// Reads a scene. All errors are reported at once, but for those of the YAML, which end it.
+pub(crate) fn read(text: &str, options: &ImportOptions) -> Result<ImportedScene, Diagnostics> {
+    let mut reader = ChallengeReader {
+        draft: Draft::new(options),
+        definitions: HashMap::new(),
+        camera: None,
+        parts: 0,
+        said: WarningFlags::default(),
+    };
+    if let Some(root) = parse(text, &mut reader.draft) {
+        reader.scene(&root);
+    } else if !reader.draft.has_errors() {
+        reader.draft.error(&(0..0), Message::NotAScene);
+    }
+    reader.draft.finish(text)
+}
+
+/// What is said once about a file.
+#[derive(Default)]
+pub(super) struct WarningFlags {
+    pub(super) shadows: bool,
+    pub(super) schlick: bool,
+    too_many: bool,
+    too_deep: bool,
+}
+
+/// The groups and definitions around an object.
+#[derive(Clone)]
+struct ObjectContext {
+    world_from_object: DAffine3,
+    /// The outermost material counts.
+    material: Option<Rc<Node>>,
+    depth: usize,
+}
+
+/// A scene that is being read.
+pub(super) struct ChallengeReader {
+    pub(super) draft: Draft,
+    definitions: HashMap<String, Rc<Node>>,
+    camera: Option<Range<usize>>,
+    /// How many parts were made.
+    parts: usize,
+    pub(super) said: WarningFlags,
+}
+
+impl ChallengeReader {
+    /// The value that was defined under a name.
+    pub(super) fn definition(&self, name: &str) -> Option<Rc<Node>> {
+        self.definitions.get(name).map(Rc::clone)
+    }
+
+    /// A value, or what its name stands for.
+    pub(super) fn resolved(&self, node: &Rc<Node>) -> Rc<Node> {
+        let defined = node.text().and_then(|name| self.definition(name));
+        defined.unwrap_or_else(|| Rc::clone(node))
+    }
+
+    /// Counts a part; `None` when there are too many.
+    pub(super) fn part(&mut self, span: &Range<usize>) -> Option<()> {
+        self.parts += 1;
+        if self.parts <= MOST_PARTS {
+            return Some(());
+        }
+        if !std::mem::replace(&mut self.said.too_many, true) {
+            self.draft.error(span, Message::TooMuch { most: MOST_PARTS.to_string() });
+        }
+        None
+    }
+
+    /// Reports once that definitions or groups are nested too deep.
+    pub(super) fn too_deep<T>(&mut self, span: &Range<usize>) -> Option<T> {
+        if !std::mem::replace(&mut self.said.too_deep, true) {
+            self.draft.error(span, Message::TooDeep { most: MOST_DEEP.to_string() });
+        }
+        None
+    }
+
+    fn scene(&mut self, root: &Node) {
+        let Some(items) = root.list() else {
+            self.draft.error(&root.span, Message::NotAScene);
+            return;
+        };
+        for item in items {
+            self.item(item);
+        }
+        match &self.camera {
+            Some(span) => {
+                let span = span.clone();
+                self.draft.note(&span, Message::Mirrored, None);
+                self.draft.note(&span, Message::LightsAreCodes, Some(Message::ToneCurveHelp));
+            }
+            None => self.draft.error(&(root.span.start..root.span.start), Message::NoCamera),
+        }
+    }
+
+    fn item(&mut self, item: &Rc<Node>) {
+        let Value::Table(entries) = &item.value else {
+            self.draft.error(&item.span, Message::NotAScene);
+            return;
+        };
+        let has = |name: &str| entries.iter().any(|(key, _)| key.text() == Some(name));
+        if has("define") {
+            self.define(item);
+        } else if has("add") {
+            let outer = ObjectContext { world_from_object: DAffine3::IDENTITY, material: None, depth: 0 };
+            self.add(item, &outer);
+        } else {
+            self.draft.error_with_help(&item.span, Message::NotAddOrDefine, Message::NotAScene);
+        }
+    }
+
+    fn define(&mut self, item: &Node) {
+        let Some(mut table) = Table::open(item, "define", &mut self.draft) else { return };
+        let name = table.require(&["define"], &mut self.draft);
+        let extend = table.take(&["extend"]);
+        let value = table.require(&["value"], &mut self.draft);
+        table.end(&mut self.draft);
+        let Some((name_node, mut value)) = name.zip(value) else { return };
+        let Some(name) = table::name(&name_node, "define", &mut self.draft) else { return };
+        if let Some(base) = extend {
+            let Some(base_name) = table::name(&base, "extend", &mut self.draft) else { return };
+            match self.definition(base_name) {
+                Some(base) => value = extended(&base, &value),
+                None => self.undefined(base_name, &base.span),
+            }
+        }
+        if self.definitions.insert(name.to_owned(), value).is_some() {
+            self.draft.warn(&name_node.span, Message::DefinedTwice { name: name.to_owned() });
+        }
+    }
+
+    fn undefined(&mut self, name: &str, span: &Range<usize>) {
+        let message = Message::Undefined { name: name.to_owned() };
+        self.draft.error_with_help(span, message, Message::DefinedBelow);
+    }
+
+    /// Adds what a table describes: a shape, a group, or what a definition stands for.
+    fn add(&mut self, node: &Rc<Node>, outer: &ObjectContext) -> Option<()> {
+        self.part(&node.span)?;
+        if outer.depth >= MOST_DEEP {
+            return self.too_deep(&node.span);
+        }
+        let mut table = Table::open(node, "add", &mut self.draft)?;
+        let name_node = table.require(&["add"], &mut self.draft)?;
+        let name = table::name(&name_node, "add", &mut self.draft)?.to_owned();
+        table.owner.clone_from(&name);
+        match name.as_str() {
+            "camera" => return self.camera(table),
+            "light" => return self.light(table),
+            _ => {}
+        }
+        let transform = match table.take(&["transform"]) {
+            Some(transform) => self.transform(&transform)?,
+            None => DAffine3::IDENTITY,
+        };
+        let material = table.take(&["material"]);
+        let context = ObjectContext {
+            world_from_object: outer.world_from_object * transform,
+            material: outer.material.clone().or(material.map(|material| self.resolved(&material))),
+            depth: outer.depth + 1,
+        };
+        if let Some(shadow) = table.take(&["shadow"]) {
+            let throws = table::flag(&shadow, "shadow", &mut self.draft)?;
+            if !throws {
+                self.draft.unsupported(&shadow.span, Message::NoShadowFlag, Message::ThrowsShadow);
+            }
+        }
+        self.object(&name, table, &context, &name_node.span)
+    }
+
+    fn object(
+        &mut self,
+        name: &str,
+        mut table: Table,
+        context: &ObjectContext,
+        span: &Range<usize>,
+    ) -> Option<()> {
+        if name == "group" {
+            let children = table.take(&["children"]);
+            table.end(&mut self.draft);
+            if let Some(children) = children {
+                for child in table::list(&children, "children", &mut self.draft)? {
+                    self.add(child, context);
+                }
+            }
+            return Some(());
+        }
+        if let Some(solids) = self.solids(name, &mut table, span) {
+            table.end(&mut self.draft);
+            for solid in solids {
+                let ObjectContext { world_from_object, material, .. } = context;
+                self.solid((name, solid), *world_from_object, material.as_ref(), span);
+            }
+        } else if let Some(defined) = self.definition(name) {
+            table.end(&mut self.draft);
+            self.add(&defined, context)?;
+        } else if NOT_DRAWN.contains(&name) {
+            self.draft.unsupported(span, Message::NotDrawn { name: name.to_owned() }, Message::LeftOut);
+        } else {
+            let names = SHAPES.iter().copied().chain(self.definitions.keys().map(String::as_str));
+            let help = match nearest(name, names) {
+                Some(near) => Message::DidYouMean { word: near.to_owned() },
+                None => Message::ShapesAre,
+            };
+            self.draft.error_with_help(span, Message::UnknownShape { name: name.to_owned() }, help);
+        }
+        Some(())
+    }
+
+    fn camera(&mut self, mut table: Table) -> Option<()> {
+        let span = table.span.clone();
+        if self.camera.is_some() {
+            self.draft.error(&span, Message::CameraTwice);
+            return None;
+        }
+        self.camera = Some(span.clone());
+        let draft = &mut self.draft;
+        let mut side = |keys: &[&str], draft: &mut Draft| {
+            let side = table.number(keys, [1.0, 65535.0], draft)?;
+            Some(side as u32)
+        };
+        let (width, height) = (side(&["width", "hsize"], draft), side(&["height", "vsize"], draft));
+        if let Some((width, height)) = width.zip(height) {
+            draft.size.get_or_insert([width, height]);
+        }
+        let fov = table.require(&["field-of-view", "fov"], draft);
+        let fov = fov.and_then(|fov| table::number(&fov, "field-of-view", [1e-5, 3.1399], draft));
+        let up = table.take(&["up"]);
+        let ends = ["from", "to"].map(|key| {
+            let node = table.require(&[key], draft)?;
+            table::vector(&node, key, draft)
+        });
+        let up = match up {
+            Some(up) => table::vector(&up, "up", draft)?,
+            None => DVec3::Y,
+        };
+        table.end(draft);
+        let ([Some(from), Some(to)], Some(fov)) = (ends, fov) else { return None };
+        let size @ [width, height] = draft.size.unwrap_or(DEFAULT_SIZE);
+        let degrees = fov.to_degrees();
+        // The angle belongs to the longer side (Buck 2019, chapter 7).
+        let fov_degrees = if width >= height { vertical_from_horizontal(degrees, size) } else { degrees };
+        draft.camera_span = span;
+        draft.scene.camera = Camera {
+            position: MIRROR * from,
+            target: MIRROR * to,
+            up: MIRROR * up,
+            projection: Projection::Perspective { fov_degrees },
+        };
+        Some(())
+    }
+
+    fn light(&mut self, mut table: Table) -> Option<()> {
+        let span = table.span.clone();
+        let intensity = table.take(&["intensity"]);
+        let color = match intensity {
+            Some(node) => table::color(&self.resolved(&node), "intensity", &mut self.draft)?,
+            None => Color::WHITE,
+        };
+        let draft = &mut self.draft;
+        let position = if let Some(corner) = table.take(&["corner"]) {
+            let corner = table::vector(&corner, "corner", draft)?;
+            let [u, v] = ["uvec", "vvec"].map(|key| {
+                let node = table.require(&[key], draft)?;
+                table::vector(&node, key, draft)
+            });
+            for key in ["usteps", "vsteps", "jitter"] {
+                table.take(&[key]);
+            }
+            draft.unsupported(&span, Message::AreaLight, Message::PointLight);
+            corner + 0.5 * (u? + v?)
+        } else {
+            let node = table.require(&["at", "position"], draft)?;
+            table::vector(&node, "at", draft)?
+        };
+        table.end(draft);
+        // The book adds the ambient term for each light, in its color (Buck 2019, chapter 6).
+        let sum = DVec3::from_array(draft.scene.environment.ambient.to_array())
+            + DVec3::from_array(color.to_array());
+        draft.scene.environment.ambient = sum.to_array().into();
+        draft.light(Light { position: MIRROR * position, color, ..Light::default() }, &span);
+        Some(())
+    }
+}
+
+/// A definition with the keys, or the elements, of the one that it extends.
+fn extended(base: &Rc<Node>, own: &Rc<Node>) -> Rc<Node> {
+    let value = match (&base.value, &own.value) {
+        (Value::Table(base), Value::Table(own)) => {
+            let is_kept = |key: &Rc<Node>| !own.iter().any(|(other, _)| other.text() == key.text());
+            let kept = base.iter().filter(|(key, _)| is_kept(key));
+            Value::Table(kept.chain(own).map(|(key, value)| (Rc::clone(key), Rc::clone(value))).collect())
+        }
+        (Value::List(base), Value::List(own)) => Value::List(base.iter().chain(own).map(Rc::clone).collect()),
+        _ => return Rc::clone(own),
+    };
+    Rc::new(Node { value, span: own.span.clone() })
+}

@@ -1,0 +1,183 @@
+//! Shapes of the book as bodies.
+
+use std::ops::Range;
+use std::rc::Rc;
+
+use catoptric_scene::{Anchor, Body, Material, MaterialChoice, Placement, Shape};
+use glam::{DAffine3, DQuat, DVec3};
+
+use crate::challenge::material::default_material;
+use crate::challenge::pattern::Surface;
+use crate::challenge::read::ChallengeReader;
+use crate::challenge::table::Table;
+use crate::challenge::yaml::Node;
+use crate::message::Message;
+use crate::placement::{Symmetry, degrees, placement};
+
+/// The book's axes are left-handed: z into the picture. Ours have it out of it.
+pub(super) const MIRROR: DVec3 = DVec3::new(1.0, 1.0, -1.0);
+
+/// A shape in the frame that the book gives it.
+#[derive(Clone, Copy)]
+pub(super) struct Solid {
+    shape: Shape,
+    /// From the shape's own frame to the book's.
+    object_from_shape: DAffine3,
+}
+
+impl Solid {
+    const fn plain(shape: Shape) -> Self {
+        Self { shape, object_from_shape: DAffine3::IDENTITY }
+    }
+
+    /// A solid around the y axis from one height to another, with its radius at both. An apex is above.
+    fn around_axis([from, to]: [f64; 2], [at_from, at_to]: [f64; 2]) -> Self {
+        let height = to - from;
+        let up = DAffine3::from_translation(DVec3::Y * from);
+        // A shape that is mirrored stays one of its kind.
+        let down =
+            DAffine3::from_translation(DVec3::Y * to) * DAffine3::from_scale(DVec3::new(1.0, -1.0, 1.0));
+        let (object_from_shape, radius, top_radius) =
+            if at_from > 0.0 { (up, at_from, at_to) } else { (down, at_to, at_from) };
+        let shape = if radius == top_radius {
+            Shape::Cylinder { radius, height }
+        } else {
+            Shape::Cone { radius, top_radius, height }
+        };
+        Self { shape, object_from_shape }
+    }
+}
+
+impl ChallengeReader {
+    /// The solids of a shape by its name; `None` if there is no such shape.
+    pub(super) fn solids(
+        &mut self,
+        name: &str,
+        table: &mut Table,
+        span: &Range<usize>,
+    ) -> Option<Vec<Solid>> {
+        match name {
+            "sphere" => Some(vec![Solid::plain(Shape::SPHERE)]),
+            "plane" => Some(vec![Solid::plain(Shape::Plane)]),
+            "cube" => Some(vec![Solid::plain(Shape::Cube { size: DVec3::splat(2.0) })]),
+            "cylinder" | "cone" => Some(self.around_axis(name, table, span)),
+            _ => None,
+        }
+    }
+
+    /// A cylinder of radius 1, or a cone whose radius is its distance from y = 0, between `min` and `max`.
+    fn around_axis(&mut self, name: &str, table: &mut Table, span: &Range<usize>) -> Vec<Solid> {
+        let any = [-1e9, 1e9];
+        let mut end = |keys: &[&str], draft: &mut _| {
+            let node = table.take(keys)?;
+            // YAML's own infinities are the defaults.
+            if node.text().is_some_and(|text| matches!(text, ".inf" | "-.inf")) {
+                return None;
+            }
+            super::table::number(&node, keys.first().copied().unwrap_or_default(), any, draft)
+        };
+        let min = end(&["min", "minimum"], &mut self.draft);
+        let max = end(&["max", "maximum"], &mut self.draft);
+        let closed = table.take(&["closed"]);
+        let is_closed =
+            closed.is_some_and(|node| super::table::flag(&node, "closed", &mut self.draft) == Some(true));
+        let name = name.to_owned();
+        let Some((min, max)) = min.zip(max) else {
+            self.draft.unsupported(span, Message::Endless { name }, Message::LeftOut);
+            return Vec::new();
+        };
+        if min >= max {
+            self.draft.error(span, Message::NoHeight { name });
+            return Vec::new();
+        }
+        if !is_closed {
+            self.draft.unsupported(span, Message::OpenEnds { name: name.clone() }, Message::IsClosed);
+        }
+        let radius = |y: f64| if name == "cylinder" { 1.0 } else { y.abs() };
+        let between = |ends: [f64; 2]| Solid::around_axis(ends, ends.map(radius));
+        if name == "cone" && min < 0.0 && max > 0.0 {
+            vec![between([min, 0.0]), between([0.0, max])]
+        } else {
+            vec![between([min, max])]
+        }
+    }
+
+    /// Adds a solid that `world_from_object` carries to the book's world.
+    pub(super) fn solid(
+        &mut self,
+        (name, solid): (&str, Solid),
+        world_from_object: DAffine3,
+        material: Option<&Rc<Node>>,
+        span: &Range<usize>,
+    ) {
+        let mirror = DAffine3::from_scale(MIRROR);
+        // In our axes, the shape's own frame being mirrored too, which leaves the shape as it is.
+        let world_from_shape = mirror * world_from_object * solid.object_from_shape * mirror;
+        if !(world_from_object.matrix3.determinant().abs() > 0.0 && world_from_object.is_finite()) {
+            self.draft.error(span, Message::Flat);
+            return;
+        }
+        let is_plane = solid.shape == Shape::Plane;
+        let Some(placement) = placed(world_from_shape, solid.shape) else {
+            self.draft.unsupported(span, Message::Sheared { name: name.to_owned() }, Message::LeftOut);
+            return;
+        };
+        let object_from_world = world_from_object.inverse() * mirror;
+        let material = match material {
+            Some(node) => {
+                let surface = Surface { object_from_world, placement: &placement, is_plane };
+                let Some(material) = self.material(node, &surface) else { return };
+                material
+            }
+            None => Material::Phong(default_material()),
+        };
+        let (shape, placement) = folded(solid.shape, placement);
+        let material = MaterialChoice::Inline(Box::new(material));
+        self.draft.body(Body { shape, placement, material, ..Body::default() }, span);
+    }
+}
+
+/// Where a shape stands.
+fn placed(world_from_shape: DAffine3, shape: Shape) -> Option<Placement> {
+    let symmetry = match shape {
+        Shape::Sphere { .. } => Symmetry::All,
+        Shape::Cylinder { .. } | Shape::Cone { .. } | Shape::Paraboloid { .. } => Symmetry::AboutY,
+        Shape::Cube { .. } => Symmetry::None,
+        Shape::Plane => {
+            let found = placement(world_from_shape, Symmetry::None);
+            return found
+                .or_else(|| plane(world_from_shape))
+                .map(|found| Placement { scale: DVec3::ONE, ..found });
+        }
+    };
+    placement(world_from_shape, symmetry)
+}
+
+/// Where the plane y = 0 of a sheared frame stands.
+fn plane(world_from_shape: DAffine3) -> Option<Placement> {
+    let normal = (world_from_shape.matrix3.inverse().transpose() * DVec3::Y).try_normalize()?;
+    let rotation_degrees = degrees(DQuat::from_rotation_arc(DVec3::Y, normal));
+    let anchor = Anchor::Frame { position: world_from_shape.translation, rotation_degrees };
+    Some(Placement { anchor, scale: DVec3::ONE })
+}
+
+/// The same body with its scale in its sizes, as far as they can say it.
+fn folded(shape: Shape, placement: Placement) -> (Shape, Placement) {
+    let scale = placement.scale;
+    let plain = Placement { scale: DVec3::ONE, ..placement };
+    let is_round = (scale.x - scale.z).abs() <= 1e-12 * scale.x;
+    match shape {
+        Shape::Sphere { radius } if is_round && (scale.x - scale.y).abs() <= 1e-12 * scale.x => {
+            (Shape::Sphere { radius: radius * scale.x }, plain)
+        }
+        Shape::Cube { size } => (Shape::Cube { size: size * scale }, plain),
+        Shape::Cylinder { radius, height } if is_round => {
+            (Shape::Cylinder { radius: radius * scale.x, height: height * scale.y }, plain)
+        }
+        Shape::Cone { radius, top_radius, height } if is_round => {
+            let (radius, top_radius) = (radius * scale.x, top_radius * scale.x);
+            (Shape::Cone { radius, top_radius, height: height * scale.y }, plain)
+        }
+        _ => (shape, placement),
+    }
+}

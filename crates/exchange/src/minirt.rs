@@ -1,0 +1,9 @@
+//! Scenes of *miniRT*: one element on each line.
+
+mod arguments;
+mod property;
+mod read;
+mod write;
+
+pub(crate) use read::read;
+pub(crate) use write::write;

@@ -1,0 +1,154 @@
+//! The bonus of elements: highlights, reflection, checkers.
+
+use std::ops::Range;
+
+use catoptric_scene::{Checker, CheckerSpace, Color, Material, Pattern, Phong};
+use glam::DVec3;
+
+use crate::dialect::Dialect;
+use crate::draft::Draft;
+use crate::lines::{Word, number};
+use crate::message::Message;
+use crate::minirt::arguments::{Arguments, Spanned, color, out_of_range};
+use crate::phrase::Argument;
+
+/// The coefficient of a highlight of which only the exponent is given.
+const HIGHLIGHT: f64 = 0.5;
+
+/// What the bonus says about a surface.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Finish {
+    specular: Option<f64>,
+    shininess: Option<f64>,
+    reflection: f64,
+    checker: Option<Checker>,
+}
+
+impl Finish {
+    /// Reads what stands behind the arguments of an element: shininess, reflection and whether it is checkered as
+    /// numbers, or properties with names.
+    pub(super) fn read(&mut self, arguments: &mut Arguments<'_>, draft: &mut Draft) {
+        if let count @ 2..=3 = arguments.numbers_left() {
+            let shininess = arguments.number(Argument::Shininess, [0.0, 1e6], draft);
+            let reflection = arguments.number(Argument::Reflection, [0.0, 1.0], draft);
+            self.shininess = shininess.as_ref().map(|found| found.value).filter(|value| *value > 0.0);
+            self.reflection = reflection.map_or(0.0, |found| found.value);
+            let is_checkered = count == 3
+                && arguments
+                    .number(Argument::CheckerSize, [0.0, 1.0], draft)
+                    .is_some_and(|found| found.value > 0.0);
+            self.checker = is_checkered.then(checker);
+            if let Some(Spanned { span, .. }) = shininess {
+                draft.note(&span, Message::NumbersAreFinish { element: arguments.name() }, None);
+            }
+        }
+        let mut is_value_of_last = false;
+        for word in std::mem::take(&mut arguments.properties) {
+            // The value of a property that is not known already.
+            if std::mem::take(&mut is_value_of_last) && word.text.starts_with('"') {
+                continue;
+            }
+            is_value_of_last = !self.property(&word, draft);
+        }
+    }
+
+    /// Reads `name=value`; whether the name is known.
+    fn property(&mut self, word: &Word<'_>, draft: &mut Draft) -> bool {
+        let (name, value) = word.text.split_once(['=', ':']).unwrap_or((word.text, ""));
+        let at = word.span.end - value.len();
+        let span = if value.is_empty() { word.span.clone() } else { at..word.span.end };
+        match name.trim_start_matches('-').to_ascii_lowercase().as_str() {
+            "specular" | "spec" | "ks" => {
+                self.specular = quantity(value, &span, Argument::Specular, [0.0, 1.0], draft);
+            }
+            "shininess" | "shine" | "exponent" => {
+                self.shininess = quantity(value, &span, Argument::Shininess, [0.0, 1e6], draft);
+            }
+            "reflection" | "reflect" | "refl" | "reflectivity" | "mirror" => {
+                let found = quantity(value, &span, Argument::Reflection, [0.0, 1.0], draft);
+                self.reflection = found.unwrap_or_default();
+            }
+            "checker" | "checkers" | "checkerboard" | "chess" | "cb" => {
+                self.checker = read_checker(value, &span, draft);
+            }
+            _ => {
+                let name = name.to_owned();
+                draft.unsupported(&word.span, Message::UnknownProperty { name }, Message::LeftOut);
+                return false;
+            }
+        }
+        true
+    }
+
+    /// The material of a body of this color: `specular` and `shininess` need each other, and reflection takes the place
+    /// of the body's own light unless the dialect adds it.
+    pub(super) fn material(&self, color: Color, dialect: Dialect) -> Material {
+        let own = if dialect.has_added_reflection { 1.0 } else { 1.0 - self.reflection };
+        let default = Phong::default();
+        let specular = self.specular.unwrap_or(if self.shininess.is_some() { HIGHLIGHT } else { 0.0 });
+        Material::Phong(Phong {
+            pattern: Pattern { checker: self.checker, ..Pattern::from(color) },
+            ambient: own,
+            diffuse: own,
+            specular,
+            shininess: self.shininess.unwrap_or(default.shininess),
+            reflection: Some(self.reflection),
+            ..default
+        })
+    }
+
+    pub(super) fn reflects(&self) -> bool {
+        self.reflection > 0.0
+    }
+
+    pub(super) fn is_checkered(&self) -> bool {
+        self.checker.is_some()
+    }
+
+    pub(super) fn has_highlight(&self) -> bool {
+        self.specular.or(self.shininess).is_some()
+    }
+}
+
+fn checker() -> Checker {
+    Checker { space: CheckerSpace::Body, ..Checker::default() }
+}
+
+/// `R,G,B`, `R,G,B:size`, or nothing.
+fn read_checker(value: &str, span: &Range<usize>, draft: &mut Draft) -> Option<Checker> {
+    let mut checker = checker();
+    if value.is_empty() {
+        return Some(checker);
+    }
+    let (codes, size) = value.split_once(':').map_or((value, None), |(codes, size)| (codes, Some(size)));
+    let numbers: Vec<f64> = codes.split(',').take(4).filter_map(number).collect();
+    let &[r, g, b] = numbers.as_slice() else {
+        draft.error(span, Message::CheckerIs);
+        return None;
+    };
+    checker.color = color(DVec3::new(r, g, b), span, draft)?;
+    if let Some(size) = size {
+        checker.size = quantity(size, span, Argument::CheckerSize, [1e-9, 1e9], draft)?;
+    }
+    Some(checker)
+}
+
+fn quantity(
+    value: &str,
+    span: &Range<usize>,
+    argument: Argument,
+    [low, high]: [f64; 2],
+    draft: &mut Draft,
+) -> Option<f64> {
+    match number(value) {
+        Some(value) if (low..=high).contains(&value) => Some(value),
+        Some(value) => {
+            draft.error(span, out_of_range(argument, value, [low, high]));
+            None
+        }
+        None => {
+            draft.error(span, Message::NotANumber { word: value.to_owned() });
+            None
+        }
+    }
+}

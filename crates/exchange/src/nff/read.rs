@@ -1,0 +1,317 @@
+//! Reading NFF.
+
+use std::ops::Range;
+
+use catoptric_scene::{
+    Anchor, Body, Camera, Color, Diagnostics, Light, Material, MaterialChoice, Pattern, Phong, Placement,
+    Projection, Shape,
+};
+use glam::DVec3;
+
+use crate::draft::Draft;
+use crate::lines::{MOST_WORDS, Word, lines, number};
+use crate::message::Message;
+use crate::options::{ImportOptions, ImportedScene};
+
+/// The most corners of a polygon.
+const MOST_CORNERS: usize = 10_000;
+/// The lines of a view, in their order.
+const VIEW: [(&str, &str, usize); 6] = [
+    ("from", "from x y z", 3),
+    ("at", "at x y z", 3),
+    ("up", "up x y z", 3),
+    ("angle", "angle degrees", 1),
+    ("hither", "hither distance", 1),
+    ("resolution", "resolution width height", 2),
+];
+
+/// Reads a scene. All errors are reported at once.
+pub(crate) fn read(text: &str, options: &ImportOptions) -> Result<ImportedScene, Diagnostics> {
+    let mut reader = NffReader { draft: Draft::new(options), fill: None, view: None, colorless: Vec::new() };
+    let mut lines = lines(text);
+    while let Some(line) = lines.next() {
+        reader.record(&line, &mut lines);
+    }
+    reader.finish(text)
+}
+
+struct NffReader {
+    draft: Draft,
+    /// The material of what follows.
+    fill: Option<Phong>,
+    view: Option<Range<usize>>,
+    /// Lights whose color follows from their number.
+    colorless: Vec<(usize, Range<usize>)>,
+}
+
+impl NffReader {
+    fn record<'t>(&mut self, line: &[Word<'t>], rest: &mut impl Iterator<Item = Vec<Word<'t>>>) {
+        let Some(first) = line.first() else { return };
+        if line.len() > MOST_WORDS {
+            self.draft.error(&first.span, Message::LineTooLong { most: MOST_WORDS.to_string() });
+            return;
+        }
+        let span = first.span.start..line.last().map_or(first.span.end, |last| last.span.end);
+        match first.text {
+            "v" => self.view(&span, rest),
+            "b" => {
+                if let Some(&[r, g, b]) = self.numbers(line, "b", &[3], &span).as_deref() {
+                    self.draft.scene.environment.background = Color::new(r, g, b);
+                }
+            }
+            "l" => self.light(line, &span),
+            "f" => self.fill(line, &span),
+            "s" => self.sphere(line, &span),
+            "c" => self.cone(line, &span, rest),
+            "p" | "pp" => self.polygon(line, &span, rest),
+            word => {
+                let message = Message::NoRecord { word: word.to_owned() };
+                self.draft.error_with_help(&first.span, message, Message::RecordsAre);
+            }
+        }
+    }
+
+    /// The numbers behind the first word, as many as one of `counts`.
+    fn numbers(
+        &mut self,
+        line: &[Word<'_>],
+        record: &'static str,
+        counts: &[usize],
+        span: &Range<usize>,
+    ) -> Option<Vec<f64>> {
+        self.all_numbers(line.get(1..).unwrap_or_default(), record, counts, span)
+    }
+
+    fn all_numbers(
+        &mut self,
+        words: &[Word<'_>],
+        record: &'static str,
+        counts: &[usize],
+        span: &Range<usize>,
+    ) -> Option<Vec<f64>> {
+        let mut found = Vec::new();
+        for word in words {
+            match number(word.text) {
+                Some(value) => found.push(value),
+                None => {
+                    self.draft.error(&word.span, Message::NotANumber { word: word.text.to_owned() });
+                    return None;
+                }
+            }
+        }
+        if counts.contains(&found.len()) {
+            return Some(found);
+        }
+        let count = counts.iter().map(usize::to_string).collect::<Vec<_>>().join(" / ");
+        self.draft.error(span, Message::RecordCount { record, count });
+        None
+    }
+
+    fn view<'t>(&mut self, span: &Range<usize>, rest: &mut impl Iterator<Item = Vec<Word<'t>>>) {
+        let is_second = self.view.is_some();
+        if is_second {
+            self.draft.error(span, Message::ViewTwice);
+        }
+        self.view = Some(span.clone());
+        let mut values: Vec<f64> = Vec::new();
+        for (name, expected, count) in VIEW {
+            let line = rest.next().unwrap_or_default();
+            let place = line.first().map_or(span, |word| &word.span).clone();
+            if line.first().is_none_or(|word| word.text != name) {
+                self.draft.error(&place, Message::RecordLine { expected });
+                return;
+            }
+            let Some(numbers) = self.numbers(&line, name, &[count], &place) else { return };
+            values.extend(numbers);
+        }
+        let &[fx, fy, fz, ax, ay, az, ux, uy, uz, angle, _, width, height] = values.as_slice() else {
+            return;
+        };
+        for (what, value, [low, high]) in [
+            ("angle", angle, [0.001, 179.9]),
+            ("resolution", width, [1.0, 65535.0]),
+            ("resolution", height, [1.0, 65535.0]),
+        ] {
+            if !self.in_range(what, value, [low, high], span) {
+                return;
+            }
+        }
+        if is_second {
+            return;
+        }
+        let draft = &mut self.draft;
+        draft.size.get_or_insert([width as u32, height as u32]);
+        draft.camera_span = span.clone();
+        draft.scene.camera = Camera {
+            position: DVec3::new(fx, fy, fz),
+            target: DVec3::new(ax, ay, az),
+            up: DVec3::new(ux, uy, uz),
+            projection: Projection::Perspective { fov_degrees: angle },
+        };
+    }
+
+    fn in_range(
+        &mut self,
+        what: &'static str,
+        value: f64,
+        [low, high]: [f64; 2],
+        span: &Range<usize>,
+    ) -> bool {
+        let is_in = (low..=high).contains(&value);
+        if !is_in {
+            let [value, low, high] = [value, low, high].map(Into::into);
+            self.draft.error(span, Message::RecordRange { what, value, low, high });
+        }
+        is_in
+    }
+
+    fn light(&mut self, line: &[Word<'_>], span: &Range<usize>) {
+        let Some(numbers) = self.numbers(line, "l", &[3, 6], span) else { return };
+        let light = match *numbers.as_slice() {
+            [x, y, z, r, g, b] => {
+                Light { position: DVec3::new(x, y, z), color: Color::new(r, g, b), ..Light::default() }
+            }
+            [x, y, z] => {
+                self.colorless.push((self.draft.scene.lights.len(), span.clone()));
+                Light { position: DVec3::new(x, y, z), ..Light::default() }
+            }
+            _ => return,
+        };
+        self.draft.light(light, span);
+    }
+
+    /// `f red green blue Kd Ks Shine T index`.
+    fn fill(&mut self, line: &[Word<'_>], span: &Range<usize>) {
+        let Some(numbers) = self.numbers(line, "f", &[8], span) else { return };
+        let &[r, g, b, diffuse, specular, shininess, transmission, ior] = numbers.as_slice() else { return };
+        let any = [0.0, 1e6];
+        let ranges = [
+            ("color", r, any),
+            ("color", g, any),
+            ("color", b, any),
+            ("Kd", diffuse, any),
+            ("Ks", specular, any),
+            ("Shine", shininess, any),
+            ("T", transmission, any),
+        ];
+        if !ranges.into_iter().all(|(what, value, range)| self.in_range(what, value, range, span)) {
+            return;
+        }
+        // An opaque body's index does not matter, and is 0 in many files.
+        let ior = if transmission > 0.0 { ior } else { ior.max(1.0) };
+        if self.in_range("index", ior, [0.01, 100.0], span) {
+            self.fill = Some(Phong {
+                pattern: Pattern::from(Color::new(r, g, b)),
+                ambient: 0.0,
+                diffuse,
+                specular,
+                shininess,
+                reflection: Some(specular),
+                transmission,
+                ior,
+                ..Phong::default()
+            });
+        }
+    }
+
+    /// The material of a body, if one stands before it.
+    fn material(&mut self, span: &Range<usize>) -> MaterialChoice {
+        if self.fill.is_none() && !self.draft.has_errors() {
+            self.draft.error(span, Message::NoFill);
+        }
+        MaterialChoice::Inline(Box::new(Material::Phong(self.fill.clone().unwrap_or_default())))
+    }
+
+    fn sphere(&mut self, line: &[Word<'_>], span: &Range<usize>) {
+        let Some(numbers) = self.numbers(line, "s", &[4], span) else { return };
+        let &[x, y, z, radius] = numbers.as_slice() else { return };
+        if radius < 0.0 {
+            self.draft.warn(span, Message::NegativeRadius);
+        }
+        let material = self.material(span);
+        let shape = Shape::Sphere { radius: radius.abs() };
+        self.draft.body(
+            Body { shape, placement: Placement::at(DVec3::new(x, y, z)), material, ..Body::default() },
+            span,
+        );
+    }
+
+    /// `c`, then base and radius, then apex and radius, each on a line of its own or all on one.
+    fn cone<'t>(
+        &mut self,
+        line: &[Word<'t>],
+        span: &Range<usize>,
+        rest: &mut impl Iterator<Item = Vec<Word<'t>>>,
+    ) {
+        let mut words = line.get(1..).unwrap_or_default().to_vec();
+        for enough in [4, 8] {
+            if words.len() < enough {
+                words.extend(rest.next().unwrap_or_default());
+            }
+        }
+        let Some(numbers) = self.all_numbers(&words, "c", &[8], span) else { return };
+        let &[x, y, z, radius, top_x, top_y, top_z, top_radius] = numbers.as_slice() else { return };
+        let (base, top) = (DVec3::new(x, y, z), DVec3::new(top_x, top_y, top_z));
+        let material = self.material(span);
+        if radius < 0.0 || top_radius < 0.0 {
+            self.draft.unsupported(span, Message::InsideOnly, Message::LeftOut);
+            return;
+        }
+        self.draft.unsupported(span, Message::OpenCone, Message::IsClosed);
+        let height = base.distance(top);
+        // An apex is above.
+        let (base, top, radius, top_radius) =
+            if radius > 0.0 { (base, top, radius, top_radius) } else { (top, base, top_radius, radius) };
+        let shape = if radius == top_radius {
+            Shape::Cylinder { radius, height }
+        } else {
+            Shape::Cone { radius, top_radius, height }
+        };
+        let placement = Placement { anchor: Anchor::Axis { base, top }, scale: DVec3::ONE };
+        self.draft.body(Body { shape, placement, material, ..Body::default() }, span);
+    }
+
+    /// `p count` or `pp count`, then the corners, with normals in the latter.
+    fn polygon<'t>(
+        &mut self,
+        line: &[Word<'t>],
+        span: &Range<usize>,
+        rest: &mut impl Iterator<Item = Vec<Word<'t>>>,
+    ) {
+        let (record, numbers_of_corner) =
+            if line.first().is_some_and(|word| word.text == "pp") { ("pp", 6) } else { ("p", 3) };
+        let Some(numbers) = self.numbers(line, record, &[1], span) else { return };
+        let count = numbers.first().copied().unwrap_or_default();
+        if count.fract() != 0.0 || !(3.0..=MOST_CORNERS as f64).contains(&count) {
+            self.draft.error(span, Message::PolygonCount { most: MOST_CORNERS.to_string() });
+            return;
+        }
+        for _ in 0..count as usize {
+            let corner = rest.next().unwrap_or_default();
+            let place = corner.first().map_or(span, |word| &word.span).clone();
+            if self.all_numbers(&corner, record, &[numbers_of_corner], &place).is_none() {
+                return;
+            }
+        }
+        self.draft.unsupported(span, Message::NoPolygons, Message::LeftOut);
+    }
+
+    fn finish(mut self, text: &str) -> Result<ImportedScene, Diagnostics> {
+        let draft = &mut self.draft;
+        match &self.view {
+            Some(span) => draft.note(&span.clone(), Message::LightsAreCodes, Some(Message::ToneCurveHelp)),
+            None => draft.error(&(0..0), Message::NoView),
+        }
+        if let Some((_, span)) = self.colorless.first() {
+            // Haines: with n lights each has the intensity √n / n.
+            let intensity = (draft.scene.lights.len() as f64).sqrt().recip();
+            draft.note(span, Message::EqualLights { value: intensity.into() }, None);
+            for (index, _) in &self.colorless {
+                if let Some(light) = draft.scene.lights.get_mut(*index) {
+                    light.intensity = intensity;
+                }
+            }
+        }
+        self.draft.finish(text)
+    }
+}

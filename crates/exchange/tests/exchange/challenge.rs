@@ -1,0 +1,223 @@
+//! The Ray Tracer Challenge: the book's own numbers, transforms, definitions, limits.
+
+use catoptric_exchange::{ForeignFormat, ImportOptions};
+use catoptric_scene::{CheckerSpace, Severity, Shape};
+use glam::DVec3;
+
+use crate::common::{assert_light, bad, count, good, pixel};
+
+const FORMAT: ForeignFormat = ForeignFormat::Challenge;
+const CAMERA: &str = "- add: camera\n  width: 4\n  height: 2\n  field-of-view: 1.5707963267948966\n  from: [0, 0, -5]\n  to: [0, 0, 0]\n  up: [0, 1, 0]\n";
+
+fn scene(rest: &str) -> String {
+    format!("{CAMERA}{rest}")
+}
+
+fn read(rest: &str) -> catoptric_exchange::ImportedScene {
+    good(FORMAT, &scene(rest), &ImportOptions::default())
+}
+
+#[test]
+fn a_pixel_has_the_light_of_the_book() {
+    let light = |at: &str| {
+        let found = read(&format!("- add: light\n  at: {at}\n  intensity: [1, 1, 1]\n- add: sphere\n"));
+        pixel(&found, [1, 1], [0, 0])
+    };
+    // Chapter 6, "Lighting with the eye between the light and the surface" and "… light offset 45°".
+    assert_light(light("[0, 0, -10]"), [1.9; 3]);
+    assert_light(light("[0, 10, -11]"), [0.736_396_1; 3]);
+    // "… eye in the path of the reflection vector" needs an eye elsewhere; behind the surface only ambient is left.
+    assert_light(light("[0, 0, 10]"), [0.1; 3]);
+}
+
+#[test]
+fn x_points_to_the_right_and_ambient_light_is_of_all_lights() {
+    let lights = "- add: light\n  at: [0, 0, 50]\n  intensity: [1, 0.5, 0]\n".repeat(2);
+    let found = read(&format!("{lights}- add: sphere\n  transform:\n  - [translate, 5, 0, 0]\n"));
+    assert_light(pixel(&found, [5, 1], [3, 0]), [0.2, 0.1, 0.0]);
+    assert_light(pixel(&found, [5, 1], [1, 0]), [0.0; 3]);
+    assert_eq!(found.size, Some([4, 2]));
+}
+
+#[test]
+fn transforms_are_applied_one_after_another() {
+    let found = read(
+        "- add: cube\n  transform:\n  - [scale, 1, 2, 3]\n  - [rotate-y, 1.5707963267948966]\n  - [translate, 5, 0, 1]\n",
+    );
+    let body = found.scene.bodies.to_vec()[0].clone();
+    assert_eq!(body.shape, Shape::Cube { size: DVec3::new(2.0, 4.0, 6.0) });
+    let frame = body.placement.world_from_body();
+    assert!(frame.translation.abs_diff_eq(DVec3::new(5.0, 0.0, -1.0), 1e-12));
+    // The long side, along z, turns to x.
+    assert!(frame.transform_vector3(DVec3::Z).abs().abs_diff_eq(DVec3::X, 1e-9));
+}
+
+#[test]
+fn definitions_are_extended_and_groups_carry_their_children() {
+    let found = read(
+        "- define: white\n  value:\n    color: [1, 1, 1]\n    diffuse: 0.7\n- define: red\n  extend: white\n  value:\n    color: [1, 0, 0]\n\
+         - define: far\n  value:\n  - [translate, 0, 0, 4]\n- define: ball\n  value:\n    add: sphere\n    material: red\n    transform:\n    - [scale, 2, 2, 2]\n\
+         - add: group\n  transform:\n  - far\n  children:\n  - add: ball\n    transform:\n    - [translate, 1, 0, 0]\n  - add: cube\n    material: white\n",
+    );
+    let bodies = found.scene.bodies.to_vec();
+    assert_eq!(bodies[0].shape, Shape::Sphere { radius: 2.0 });
+    assert_eq!(bodies[0].middle(), DVec3::new(1.0, 0.0, -4.0));
+    let red = found.scene.material(&bodies[0].material).unwrap().as_phong().unwrap();
+    assert_eq!((red.pattern.color.to_array(), red.diffuse, red.specular), ([1.0, 0.0, 0.0], 0.7, 0.9));
+    assert_eq!(bodies[1].middle(), DVec3::new(0.0, 0.0, -4.0));
+}
+
+#[test]
+fn closed_cylinders_and_cones_stand_between_their_ends() {
+    let found = read(
+        "- add: cylinder\n  min: 1\n  max: 3\n  closed: true\n- add: cone\n  min: -1\n  max: 0\n  closed: true\n\
+         - add: cone\n  min: 1\n  max: 2\n  closed: true\n- add: cone\n  min: -1\n  max: 2\n  closed: true\n",
+    );
+    let extents: Vec<_> = found
+        .scene
+        .bodies
+        .iter()
+        .map(|body| {
+            let corners = body.box_corners().unwrap();
+            let [low, high] = [DVec3::min, DVec3::max].map(|pick| corners.into_iter().reduce(pick).unwrap());
+            [low.y, high.y, high.x].map(|value| (value * 1e9).round() / 1e9)
+        })
+        .collect();
+    assert_eq!(
+        extents,
+        [[1.0, 3.0, 1.0], [-1.0, 0.0, 1.0], [1.0, 2.0, 2.0], [-1.0, 0.0, 1.0], [0.0, 2.0, 2.0]]
+    );
+    let bodies = found.scene.bodies.to_vec();
+    assert_eq!(bodies[2].shape, Shape::Cone { radius: 1.0, top_radius: 2.0, height: 1.0 });
+    // The upper half of the last stands on its apex, which is the top of its own frame.
+    assert_eq!(bodies[4].shape, Shape::Cone { radius: 2.0, top_radius: 0.0, height: 2.0 });
+    assert!((bodies[4].placement.world_from_body().translation.y - 2.0).abs() < 1e-12);
+}
+
+#[test]
+fn checkers_are_those_of_the_book() {
+    let plane = |transform: &str, pattern: &str| {
+        let text = format!(
+            "- add: light\n  at: [0, 50, 0]\n- add: plane\n{transform}  material:\n    ambient: 1\n    diffuse: 0\n    specular: 0\n    pattern:\n      type: checkers\n      colors:\n      - [1, 1, 1]\n      - [0, 0, 0]\n{pattern}"
+        );
+        read(&text)
+    };
+    let checker = |found: &catoptric_exchange::ImportedScene| {
+        let body = found.scene.bodies.to_vec()[0].clone();
+        let material = found.scene.material(&body.material).unwrap().as_phong().unwrap().clone();
+        (material.pattern.color.r, material.pattern.checker.unwrap())
+    };
+    // ⌊x⌋ + ⌊z⌋ is even for x and z in 0…1 of the book: white there, thus black at (0.5, −0.5) mirrored back.
+    let (even, cells) = checker(&plane("", ""));
+    assert_eq!((even, cells.size, cells.space), (0.0, 1.0, CheckerSpace::World));
+    let (even, cells) = checker(&plane(
+        "",
+        "      transform:\n      - [scale, 0.5, 0.5, 0.5]\n      - [translate, 0.5, 0, 0]\n",
+    ));
+    assert_eq!((even, cells.size), (1.0, 0.5));
+    let (_, cells) = checker(&plane("  transform:\n  - [rotate-y, 0.5]\n", ""));
+    assert_eq!(cells.space, CheckerSpace::Body);
+    let stripes = scene(
+        "- add: sphere\n  material:\n    pattern:\n      type: stripes\n      colors: [[1, 1, 1], [0, 0, 0]]\n",
+    );
+    assert_eq!(bad(FORMAT, &stripes), "11:13: error: the pattern `stripes` is not drawn");
+    let found = good(FORMAT, &stripes, &ImportOptions { is_approximate: true, ..ImportOptions::default() });
+    let material = found.scene.material(&found.scene.bodies.to_vec()[0].material).unwrap().clone();
+    assert_eq!(material.as_phong().unwrap().pattern.color.r, 0.5);
+}
+
+#[test]
+fn sheared_spheres_are_ellipsoids_and_sheared_cubes_are_refused() {
+    let shape = |name: &str| scene(&format!("- add: {name}\n  transform:\n  - [shear, 1, 0, 0, 0, 0, 0]\n"));
+    assert_eq!(good(FORMAT, &shape("sphere"), &ImportOptions::default()).scene.bodies.len(), 1);
+    assert_eq!(bad(FORMAT, &shape("cube")), "8:8: error: a sheared `cube` is not drawn");
+}
+
+#[test]
+fn errors_have_their_places_and_come_all_at_once() {
+    for (rest, expected) in [
+        ("- add: spere\n", "8:8: error: there is no shape, and no definition, called `spere`"),
+        ("- add: cylinder\n", "8:8: error: an endless `cylinder` is not drawn"),
+        ("- add: cylinder\n  min: 0\n  max: 1\n", "8:8: error: a `cylinder` with open ends is not drawn"),
+        (
+            "- add: sphere\n  size: 3\n- add: cube\n  shadow: false\n",
+            "9:3: error: `sphere` has no key `size`\n11:11: error: a body without a shadow is not drawn",
+        ),
+        ("- add: sphere\n  transform:\n  - [rotate, 1]\n", "10:5: error: there is no transform `rotate`"),
+        (
+            "- add: sphere\n  transform:\n  - [scale, 0, 1, 1]\n",
+            "8:8: error: the transform leaves nothing of the shape, or takes it to infinity",
+        ),
+        (
+            "- add: sphere\n  material: gold\n",
+            "9:13: error: `material` is a text, but must be a table of keys",
+        ),
+        (
+            "- add: sphere\n  material:\n    color: [1, 2]\n",
+            "10:12: error: `color` is a list, but must be three numbers: `[0, 1, 0]`",
+        ),
+        (
+            "- add: light\n  at: [0, 0, 0]\n  intensity: [-1, 0, 0]\n",
+            "10:14: error: `intensity` is -1, but must be from 0 to 1e6",
+        ),
+        ("- add: [\n", "9:1: error: the YAML cannot be read:"),
+        ("- add: camera\n", "8:3: error: the scene has two cameras"),
+        ("- remove: sphere\n", "8:3: error: this is neither `add` nor `define`"),
+    ] {
+        let found = bad(FORMAT, &scene(rest));
+        assert!(found.starts_with(expected), "{rest}\n{found}");
+    }
+    for (text, expected) in [
+        ("", "1:1: error: a scene is a list"),
+        ("- add: sphere\n", "1:1: error: the scene has no camera"),
+        ("camera: 1\n", "1:1: error: a scene is a list"),
+        ("- [\u{416}, *a]\n", "1:"),
+    ] {
+        let found = bad(FORMAT, text);
+        assert!(found.starts_with(expected), "{text}\n{found}");
+    }
+}
+
+#[test]
+fn bombs_end_in_an_error() {
+    let mut doubling = String::from("- define: d0\n  value:\n    add: sphere\n");
+    for step in 1..30 {
+        let last = step - 1;
+        doubling += &format!(
+            "- define: d{step}\n  value:\n    add: group\n    children:\n    - add: d{last}\n    - add: d{last}\n"
+        );
+    }
+    let found = bad(FORMAT, &scene(&format!("{doubling}- add: d29\n")));
+    assert!(found.contains("the scene becomes too large"), "{found}");
+    let mut moves = String::from("- define: m0\n  value:\n  - [translate, 1, 0, 0]\n");
+    for step in 1..60 {
+        let last = step - 1;
+        moves += &format!("- define: m{step}\n  value:\n  - m{last}\n  - m{last}\n");
+    }
+    let found = bad(FORMAT, &scene(&format!("{moves}- add: sphere\n  transform:\n  - m59\n")));
+    assert!(found.contains("the scene becomes too large"), "{found}");
+    let itself = "- define: a\n  value:\n    add: a\n- add: a\n";
+    assert!(bad(FORMAT, &scene(itself)).contains("nested more than 64 deep"));
+    let mut laughs = String::from("- define: a0\n  value: &a0 [1, 1]\n");
+    for step in 1..40 {
+        let last = step - 1;
+        laughs += &format!("- define: a{step}\n  value: &a{step} [*a{last}, *a{last}]\n");
+    }
+    // Aliases share what they stand for; nothing uses it.
+    assert_eq!(good(FORMAT, &scene(&laughs), &ImportOptions::default()).scene.bodies.len(), 0);
+    for deep in ["[", "{a: ", "- "] {
+        let found = bad(FORMAT, &deep.repeat(50_000));
+        assert!(
+            found.contains("nested more than 64 deep") || found.contains("YAML cannot be read"),
+            "{found}"
+        );
+    }
+}
+
+#[test]
+fn the_books_differences_are_named() {
+    let found = read(
+        "- add: sphere\n  material:\n    transparency: 0.9\n    reflective: 0.9\n- add: cube\n  material:\n    transparency: 1\n",
+    );
+    assert_eq!(count(&found.report, Severity::Warning), 2, "{}", found.report);
+}

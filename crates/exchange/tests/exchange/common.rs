@@ -1,0 +1,37 @@
+//! Reading, and one pixel of what was read.
+
+use catoptric_exchange::{ForeignFormat, ImportOptions, ImportedScene, read};
+use catoptric_scene::{Diagnostics, Severity};
+use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, render};
+
+/// Reads a text that has no errors.
+pub(crate) fn good(format: ForeignFormat, text: &str, options: &ImportOptions) -> ImportedScene {
+    read(format, text, options).unwrap_or_else(|errors| panic!("{errors}"))
+}
+
+/// Reads a text that has errors, and gives them one on each line.
+pub(crate) fn bad(format: ForeignFormat, text: &str) -> String {
+    let errors = read(format, text, &ImportOptions::default()).unwrap_err();
+    assert!(errors.has_errors());
+    errors.to_string()
+}
+
+/// The light of a pixel of a picture of this size.
+pub(crate) fn pixel(imported: &ImportedScene, [width, height]: [u32; 2], [x, y]: [u32; 2]) -> [f32; 3] {
+    let scene = RenderScene::build(&imported.scene).unwrap();
+    let settings = RenderSettings { width, height, samples: 1 };
+    let rendered = render(&scene, settings, &RenderControl::default()).unwrap();
+    rendered.picture.pixel(x, y).unwrap()
+}
+
+/// Fails unless the light is this.
+#[track_caller]
+pub(crate) fn assert_light(found: [f32; 3], expected: [f32; 3]) {
+    let is_near = found.iter().zip(expected).all(|(found, expected)| (found - expected).abs() < 1e-5);
+    assert!(is_near, "{found:?}, not {expected:?}");
+}
+
+/// How many findings are of this severity.
+pub(crate) fn count(report: &Diagnostics, severity: Severity) -> usize {
+    report.iter().filter(|finding| finding.severity == severity).count()
+}

@@ -1,0 +1,15 @@
+//! Scenes of other ray tracers, from outside.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "helpers of tests may panic as tests may"
+)]
+
+mod challenge;
+mod common;
+mod fuzz;
+mod minirt;
+mod nff;
+mod round_trips;

@@ -1,0 +1,170 @@
+//! miniRT: known answers, dialects, the school's errors.
+
+use catoptric_exchange::{ForeignFormat, ImportOptions};
+use catoptric_scene::{Anchor, Projection, Severity, Shape};
+use glam::DVec3;
+
+use crate::common::{assert_light, bad, count, good, pixel};
+
+const FORMAT: ForeignFormat = ForeignFormat::MiniRt;
+/// The ray meets (0, 0, 1), where the normal is +Z; n·L is 3/5.
+const SPHERE: &str = "A 0.2 255,255,255\nC 0,0,5 0,0,-1 60\nL 0,4,4 0.5 255,255,255\nsp 0,0,0 2 255,102,0";
+
+fn with(text: &str, dialect: &str) -> ImportOptions {
+    assert!(!text.is_empty());
+    ImportOptions { dialect: dialect.parse().unwrap(), ..ImportOptions::default() }
+}
+
+#[test]
+fn a_pixel_has_the_light_of_the_schools_formula() {
+    let one = |text: &str, dialect: &str| pixel(&good(FORMAT, text, &with(text, dialect)), [1, 1], [0, 0]);
+    // (1, 0.4, 0) · (0.2 + 0.5 · 0.6).
+    assert_light(one(SPHERE, ""), [0.5, 0.2, 0.0]);
+    // The highlight adds 0.5 · 0.5 · (S·R)² with S·R = 0.6.
+    let shiny = format!("{SPHERE} specular=0.5 shininess=2");
+    assert_light(one(&shiny, ""), [0.59, 0.29, 0.09]);
+    // Three quarters of that are left by a mirror in the dark.
+    let mirror = format!("{SPHERE} reflection=0.25");
+    assert_light(one(&mirror, ""), [0.375, 0.15, 0.0]);
+    assert_light(one(&mirror, "added-reflection"), [0.5, 0.2, 0.0]);
+    // Colored ambient light and a colored light.
+    let colored = "A 0.5 0,255,0\nC 0,0,5 0,0,-1 60\nL 0,4,4 1 255,0,51\nsp 0,0,0 2 255,255,255";
+    assert_light(one(colored, ""), [0.6, 0.5, 0.12]);
+}
+
+#[test]
+fn sizes_follow_the_subject_or_the_dialect() {
+    let text = "A 1 255,255,255\nC 0,0,5 0,0,-1 60\n\
+                sp 0,0,0 3 1,2,3\ncy 0,1,0 0,1,0 2 4 1,2,3\nco 0,1,0 0,-1,0 2 4 1,2,3\npl 0,1,2 1,0,0 1,2,3";
+    let bodies = |dialect: &str| good(FORMAT, text, &with(text, dialect)).scene.bodies.to_vec();
+    let plain = bodies("");
+    assert_eq!(plain[0].shape, Shape::Sphere { radius: 1.5 });
+    let axis = |base: f64, top: f64| Anchor::Axis { base: DVec3::Y * base, top: DVec3::Y * top };
+    assert_eq!(
+        (plain[1].shape, plain[1].placement.anchor),
+        (Shape::Cylinder { radius: 1.0, height: 4.0 }, axis(-1.0, 3.0))
+    );
+    assert_eq!(plain[2].placement.anchor, axis(-3.0, 1.0));
+    assert!((plain[3].placement.rotation() * DVec3::Y).abs_diff_eq(DVec3::X, 1e-12));
+    let other = bodies("radius,base,cone-base");
+    assert_eq!(other[0].shape, Shape::Sphere { radius: 3.0 });
+    assert_eq!(
+        (other[1].shape, other[1].placement.anchor),
+        (Shape::Cylinder { radius: 2.0, height: 4.0 }, axis(1.0, 5.0))
+    );
+    assert_eq!(other[2].placement.anchor, axis(1.0, -3.0));
+}
+
+#[test]
+fn colors_may_stand_before_sizes() {
+    let text = "A 1 255,255,255\nC 0,0,5 0,0,-1 60\ncy 0,0,0 0,1,0 255,0,0 2 4\n";
+    let found = good(FORMAT, text, &ImportOptions::default());
+    assert_eq!(found.scene.bodies.to_vec()[0].shape, Shape::Cylinder { radius: 1.0, height: 4.0 });
+}
+
+#[test]
+fn the_angle_of_view_is_horizontal_for_the_size_of_the_picture() {
+    let fov = |text: &str, options: &ImportOptions| {
+        let found = good(FORMAT, text, options);
+        let Projection::Perspective { fov_degrees } = found.scene.camera.projection else { panic!() };
+        (fov_degrees, found.size)
+    };
+    let text = "R 200 100\nA 1 255,255,255\nC 0,0,5 0,0,-1 90\n";
+    let (degrees, size) = fov(text, &ImportOptions::default());
+    assert!((degrees - 53.130_102_354_155_98).abs() < 1e-9, "{degrees}");
+    assert_eq!(size, Some([200, 100]));
+    let square = ImportOptions { size: Some([50, 50]), ..ImportOptions::default() };
+    assert!((fov(text, &square).0 - 90.0).abs() < 1e-9);
+    assert_eq!(fov(text, &with(text, "vertical-fov")).0, 90.0);
+}
+
+#[test]
+fn a_left_handed_picture_is_the_mirror_image() {
+    let text = "A 1 255,255,255\nC 0,0,-5 0,0,1 90\nsp 2,0,0 2 255,255,255\n";
+    let right = |dialect: &str| pixel(&good(FORMAT, text, &with(text, dialect)), [5, 5], [3, 2])[0];
+    assert_eq!((right(""), right("left-handed")), (0.0, 1.0));
+}
+
+#[test]
+fn what_was_interpreted_is_noted_once() {
+    let text = "A 1 255,255,255\nC 0,0,5 0,0,-1 60\ncy 0,0,0 0,1,0 2 4 1,1,1\ncy 0,9,0 0,1,0 2 4 1,1,1\n";
+    let report = good(FORMAT, text, &ImportOptions::default()).report;
+    // Colors, angle of view, cylinders.
+    assert_eq!((count(&report, Severity::Note), report.len()), (3, 3), "{report}");
+    assert!(
+        report.to_string().contains("3:1: note: the position of a cylinder is taken as its center"),
+        "{report}"
+    );
+}
+
+#[test]
+fn bonus_numbers_and_lines_of_properties_are_read() {
+    let text = "A 1 255,255,255\nC 0,0,5 0,0,-1 60\nsp 0,0,0 2 500 0.5 1 255,0,0\nsp 0,0,9 2 255,0,0\nma\treflection:0.25\n";
+    let found = good(FORMAT, text, &ImportOptions::default());
+    let materials: Vec<_> =
+        found.scene.bodies.iter().map(|body| found.scene.material(&body.material).unwrap()).collect();
+    let phong = |index: usize| materials[index].as_phong().unwrap();
+    assert_eq!((phong(0).shininess, phong(0).specular, phong(0).reflection()), (500.0, 0.5, 0.5));
+    assert!(phong(0).pattern.checker.is_some());
+    assert_eq!((phong(1).reflection(), phong(1).diffuse), (0.25, 0.75));
+}
+
+#[test]
+fn the_schools_errors_are_refused_with_words() {
+    for (text, expected) in [
+        ("", "1:1: error: the scene has no `A`\n1:1: error: the scene has no `C`"),
+        ("C 0,0,5 0,0,-1 60\n", "1:1: error: the scene has no `A`"),
+        (
+            "A 1.2 0,0,0\nC 0,0,5 0,0,-1 60",
+            "1:3: error: the ratio of ambient light is 1.2, but must be from 0 to 1",
+        ),
+        ("A 1 0,0,256\nC 0,0,5 0,0,-1 60", "1:5: error: a color has the value 256"),
+        ("A 1 0,0,0\nA 1 0,0,0\nC 0,0,5 0,0,-1 60", "2:1: error: `A` is given twice"),
+        ("A 1 0,0,0\nC 0,0,5 0,0,-1 60\nC 0,0,5 0,0,-1 60", "3:1: error: `C` is given twice"),
+        (
+            "A 1 0,0,0\nC 0,0,5 0,0,-1 180",
+            "2:16: error: the field of view is 180, but must be from 0.001 to 179.9",
+        ),
+        (
+            "A 1 0,0,0\nC 0,0,5 0,0,-2 60",
+            "2:9: error: the direction of view of `C` has a number beyond -1 to 1",
+        ),
+        ("A 1 0,0,0\nC 0,0,5 0,0,0 60", "2:9: error: the direction of view is zero"),
+        ("A 0,5 0,0,0\nC 0,0,5 0,0,-1 60", "1:3: error: `0,5` has a decimal comma"),
+        ("A 1 0,0,0\nC 0,5,0,5,1,5 0,0,-1 60", "2:3: error: `0,5,0,5,1,5` has a decimal comma"),
+        (
+            "A 1 0,0,0\nC 0, 0, 5 0,0,-1 60",
+            "2:3: error: `0,` is not three numbers\n2:6: error: `0,` is not three numbers",
+        ),
+        (
+            "A 1 0,0,0\nC 0,0,5 0,0,-1 60\nsp 0,0,0 0 1,1,1",
+            "3:10: error: the diameter is 0, but must be greater than 0",
+        ),
+        ("A 1 0,0,0\nC 0,0,5 0,0,-1 60\nsp 0,0,0 1,1,1", "3:1: error: `sp` lacks the diameter"),
+        ("A 1 0,0,0\nC 0,0,5 0,0,-1 60\nqq 0,0,0", "3:1: error: there is no element `qq`"),
+        ("A 1 0,0,0 7\nC 0,0,5 0,0,-1 60", "1:11: error: `A` has more values than this"),
+        ("A 1 0,0,0\nC 0,0,5 0,0,-1 60\ntr 0,0,0 0,1,0 1,0,0 9,9,9", "3:1: error: triangles are not drawn"),
+        (
+            "A 1 0,0,0\nC 0,0,2e9 0,0,-1 60",
+            "2:1: error: the camera: the third number of `position` is 2e9, but must be at most 1e9",
+        ),
+        ("A 1 0,0,0\nC 0,0,5 0,0,-1 60\nsp 0,0,0 inf 1,1,1", "3:1: error: `sp` lacks the diameter"),
+    ] {
+        let found = bad(FORMAT, text);
+        assert!(found.starts_with(expected), "{text}\n{found}");
+    }
+}
+
+#[test]
+fn what_is_not_drawn_can_be_left_out() {
+    let text = "A 1 0,0,0\nC 0,0,5 0,0,-1 60\ntr 0,0,0 0,1,0 1,0,0 9,9,9\nsp 0,0,0 1 1,1,1 glow=3\n\
+                W 3 4\nL 0,0,9 3 1,1,1 8\n";
+    assert_eq!(bad(FORMAT, text).lines().count(), 5);
+    let found = good(FORMAT, text, &ImportOptions { is_approximate: true, ..ImportOptions::default() });
+    assert_eq!(
+        (found.scene.bodies.len(), count(&found.report, Severity::Warning)),
+        (1, 5),
+        "{}",
+        found.report
+    );
+}

@@ -1,0 +1,244 @@
+//! Scenes that a format can say come back from it.
+
+use catoptric_exchange::{DEFAULT_SIZE, ExportOptions, ForeignFormat, ImportOptions, read, write};
+use catoptric_scene::{
+    Anchor, Body, Camera, Checker, CheckerSpace, Color, Light, Material, MaterialChoice, Pattern, Phong,
+    Placement, Projection, Scene, Shape,
+};
+use glam::DVec3;
+use proptest::prelude::*;
+
+fn share() -> impl Strategy<Value = f64> {
+    prop_oneof![Just(0.0), Just(0.5), 0.01..0.99f64]
+}
+
+fn color() -> impl Strategy<Value = Color> {
+    (share(), share(), share()).prop_map(|(r, g, b)| Color::new(r, g, b))
+}
+
+fn point() -> impl Strategy<Value = DVec3> {
+    let number = || prop_oneof![Just(0.0), Just(-2.0), -50.0..50.0f64];
+    (number(), number(), number()).prop_map(|(x, y, z)| DVec3::new(x, y, z))
+}
+
+fn turn() -> impl Strategy<Value = DVec3> {
+    let angle = || prop_oneof![Just(0.0), Just(90.0), -170.0..170.0f64];
+    (angle(), angle(), angle()).prop_map(|(x, y, z)| DVec3::new(x, y, z))
+}
+
+fn length() -> impl Strategy<Value = f64> {
+    prop_oneof![Just(1.0), 0.1..9.0f64]
+}
+
+fn shape() -> impl Strategy<Value = Shape> {
+    (length(), length(), length(), 0..6u8).prop_map(|(a, b, c, kind)| match kind {
+        0 => Shape::Sphere { radius: a },
+        1 => Shape::Plane,
+        2 => Shape::Cylinder { radius: a, height: b },
+        3 => Shape::Cone { radius: a, top_radius: 0.0, height: b },
+        4 => Shape::Cone { radius: a, top_radius: c, height: b },
+        _ => Shape::Cube { size: DVec3::new(a, b, c) },
+    })
+}
+
+fn phong() -> impl Strategy<Value = Phong> {
+    (color(), share(), share(), length(), share(), proptest::option::of((color(), length()))).prop_map(
+        |(color, diffuse, specular, shininess, reflection, checker)| {
+            let checker = checker.map(|(color, size)| Checker { color, size, space: CheckerSpace::Body });
+            let pattern = Pattern { checker, ..Pattern::from(color) };
+            Phong {
+                pattern,
+                ambient: 0.0,
+                diffuse,
+                specular,
+                shininess,
+                reflection: Some(reflection),
+                ..Phong::default()
+            }
+        },
+    )
+}
+
+fn body() -> impl Strategy<Value = Body> {
+    (shape(), point(), turn(), phong()).prop_map(|(shape, position, rotation_degrees, phong)| {
+        let placement = Placement { anchor: Anchor::Frame { position, rotation_degrees }, scale: DVec3::ONE };
+        let material = MaterialChoice::Inline(Box::new(Material::Phong(phong)));
+        Body { shape, placement, material, ..Body::default() }
+    })
+}
+
+prop_compose! {
+    fn scene()(
+        from in point(), to in point().prop_map(|point| point + DVec3::new(200.0, 3.0, -7.0)), fov in 5.0..100.0f64,
+        lights in prop::collection::vec((point(), color(), share()), 1..4),
+        bodies in prop::collection::vec(body(), 0..6),
+    ) -> Scene {
+        let mut scene = Scene { camera: Camera {
+            position: from, target: to, up: DVec3::Y, projection: Projection::Perspective { fov_degrees: fov },
+        }, bodies: bodies.into_iter().collect(), ..Scene::default() };
+        scene.environment.background = Color::BLACK;
+        scene.environment.ambient = Color::BLACK;
+        scene.lights = lights
+            .into_iter()
+            .map(|(position, color, intensity)| Light { position, color, intensity, ..Light::default() })
+            .collect();
+        scene
+    }
+}
+
+/// What a format can say of a body: others are left out before.
+fn fits(format: ForeignFormat, body: &Body) -> bool {
+    let Some(phong) = phong_of(body) else { return false };
+    match format {
+        ForeignFormat::MiniRt => {
+            let brightest = [Some(phong.pattern.color), phong.pattern.checker.map(|checker| checker.color)]
+                .into_iter()
+                .flatten()
+                .flat_map(Color::to_array)
+                .fold(0.0, f64::max);
+            let is_shape = !matches!(body.shape, Shape::Cube { .. })
+                && !matches!(body.shape, Shape::Cone { top_radius, .. } if top_radius != 0.0);
+            is_shape && phong.reflection() < 1.0 && brightest * phong.diffuse <= 1.0 - phong.reflection()
+        }
+        ForeignFormat::Challenge => true,
+        ForeignFormat::Nff => {
+            matches!(body.shape, Shape::Sphere { .. })
+                && phong.reflection() == phong.specular
+                && phong.pattern.checker.is_none()
+        }
+    }
+}
+
+fn phong_of(body: &Body) -> Option<&Phong> {
+    match &body.material {
+        MaterialChoice::Inline(material) => material.as_phong(),
+        MaterialChoice::Named(_) => None,
+    }
+}
+
+fn near(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-7 * (1.0 + a.abs())
+}
+
+/// Corners of the box around a body in the world, in an order of their own.
+fn corners(body: &Body) -> Vec<DVec3> {
+    let mut corners = body.box_corners().map_or_else(
+        || {
+            vec![
+                body.placement.rotation() * DVec3::Y,
+                DVec3::splat((body.placement.rotation() * DVec3::Y).dot(body.placement.origin())),
+            ]
+        },
+        Vec::from,
+    );
+    let key = |corner: &DVec3| corner.to_array().map(|value| (value * 1e4).round() as i64);
+    corners.sort_by_key(key);
+    corners
+}
+
+fn assert_equal(format: ForeignFormat, scene: &Scene, found: &Scene) {
+    prop_assert_eq_sizes(scene, found);
+    let direction = |camera: &Camera| (camera.target - camera.position).normalize();
+    assert!(scene.camera.position.abs_diff_eq(found.camera.position, 1e-9));
+    assert!(direction(&scene.camera).abs_diff_eq(direction(&found.camera), 1e-9));
+    let (Projection::Perspective { fov_degrees: a }, Projection::Perspective { fov_degrees: b }) =
+        (scene.camera.projection, found.camera.projection)
+    else {
+        panic!()
+    };
+    assert!(near(a, b), "{a} {b}");
+    for (light, other) in scene.lights.iter().zip(&found.lights) {
+        assert!(light.position.abs_diff_eq(other.position, 1e-9));
+        for (a, b) in light.color.to_array().into_iter().zip(other.color.to_array()) {
+            assert!(near(a * light.intensity, b * other.intensity));
+        }
+    }
+    for (body, other) in scene.bodies.iter().zip(&found.bodies) {
+        let is_ball = matches!(body.shape, Shape::Sphere { .. });
+        if is_ball {
+            assert!(near(body.shape.number("radius").unwrap(), other.shape.number("radius").unwrap()));
+            assert!(body.middle().abs_diff_eq(other.middle(), 1e-9));
+        } else if !matches!(body.shape, Shape::Cylinder { .. } | Shape::Cone { .. }) {
+            for (a, b) in corners(body).into_iter().zip(corners(other)) {
+                assert!(a.abs_diff_eq(b, 1e-3), "{format:?} {body:?} {other:?}");
+            }
+        } else {
+            // The frames may be turned about the axis, and the wider end may be the lower one.
+            assert!(body.middle().abs_diff_eq(other.middle(), 1e-6), "{body:?} {other:?}");
+            let up = |body: &Body| body.placement.rotation() * DVec3::Y;
+            assert!(near(up(body).dot(up(other)).abs(), 1.0));
+            assert!(near(body.height().unwrap(), other.height().unwrap()));
+            let widest = |body: &Body| {
+                let size = |key| body.shape.number(key).unwrap_or_default();
+                size("radius").max(size("top_radius"))
+            };
+            assert!(near(widest(body), widest(other)));
+        }
+        let (a, b) = (phong_of(body).unwrap(), phong_of(other).unwrap());
+        let values = |phong: &Phong| {
+            let shininess = if phong.specular > 0.0 { phong.shininess } else { 0.0 };
+            let color = phong.pattern.color.to_array().map(|value| value * phong.diffuse);
+            [phong.specular, shininess, phong.reflection(), color[0], color[1], color[2]]
+        };
+        let mut b = b.clone();
+        assert_eq!(a.pattern.checker.is_some(), b.pattern.checker.is_some());
+        if let Some((own, other)) = a.pattern.checker.zip(b.pattern.checker.as_mut()) {
+            assert!(near(own.size, other.size));
+            let is_even = |color: Color| {
+                color.to_array().into_iter().zip(a.pattern.color.to_array()).all(|(a, b)| near(a, b))
+            };
+            // In the other space, cells may have the other parity.
+            if own.space != other.space && !is_even(b.pattern.color) {
+                std::mem::swap(&mut other.color, &mut b.pattern.color);
+            }
+            let colors = own.color.to_array().into_iter().zip(other.color.to_array());
+            assert!(colors.into_iter().all(|(own, other)| near(own * a.diffuse, other * b.diffuse)));
+        }
+        assert!(values(a).into_iter().zip(values(&b)).all(|(a, b)| near(a, b)), "{format:?} {a:?} {b:?}");
+    }
+}
+
+fn prop_assert_eq_sizes(scene: &Scene, found: &Scene) {
+    assert_eq!((scene.lights.len(), scene.bodies.len()), (found.lights.len(), found.bodies.len()));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    #[test]
+    fn scenes_come_back(mut scene in scene(), equal_reflection in any::<bool>()) {
+        if equal_reflection {
+            for body in &mut scene.bodies {
+                if let MaterialChoice::Inline(material) = &mut body.material
+                    && let Material::Phong(phong) = &mut **material
+                {
+                    phong.reflection = Some(phong.specular);
+                    phong.pattern.checker = None;
+                }
+            }
+        }
+        for format in ForeignFormat::ALL {
+            let mut scene = scene.clone();
+            scene.bodies.retain(|body| fits(format, body));
+            let options = ExportOptions { is_approximate: false, size: Some(DEFAULT_SIZE) };
+            let written = write(format, &scene, &options).unwrap_or_else(|error| panic!("{format:?}: {error}"));
+            let found = read(format, &written.text, &ImportOptions::default());
+            let found = found.unwrap_or_else(|errors| panic!("{errors}\n{}", written.text));
+            assert_equal(format, &scene, &found.scene);
+        }
+    }
+}
+
+#[test]
+fn what_a_format_cannot_say_is_told_or_left_out() {
+    let scene = catoptric_scene::Example::find("whitted").unwrap().load().unwrap().scene;
+    for format in ForeignFormat::ALL {
+        let error = write(format, &scene, &ExportOptions::default()).unwrap_err();
+        assert!(!error.lost.is_empty() && error.to_string().lines().count() == error.lost.len());
+        let options = ExportOptions { is_approximate: true, ..ExportOptions::default() };
+        let written = write(format, &scene, &options).unwrap();
+        assert_eq!(written.lost, error.lost);
+        let found = read(format, &written.text, &ImportOptions::default());
+        assert!(found.is_ok(), "{format:?}: {}\n{}", found.unwrap_err(), written.text);
+    }
+}
