@@ -1,7 +1,7 @@
 //! Threads: of the system, of the workers of a page, or none.
 //!
 //! A browser gives threads only to pages that are isolated from others. A program that runs in one tells by
-//! [`use_threads`] how to start them; without that there are none, and whoever wants something done in the background
+//! `use_threads` how to start them; without that there are none, and whoever wants something done in the background
 //! does it in slices, or at once.
 
 mod pool;
