@@ -302,7 +302,11 @@ fn the_second_click_of_a_double_click_stays_in_the_gallery() {
     let viewport = harness.state().viewport_rect().unwrap();
     assert!(viewport.contains(at), "the second click would reach the picture");
     assert!(harness.state().editor().selection().is_empty(), "and nothing is selected");
-    // Later clicks reach it.
+    // Later clicks reach it, once the scene is prepared.
+    wait_until(&mut harness, "the scene is prepared", |studio| {
+        let revision = studio.editor().revision();
+        studio.live().render_scene().is_some_and(|(prepared, _)| prepared == revision)
+    });
     harness.run_steps(40);
     for pressed in [true, false] {
         harness.event(button(pressed));
