@@ -161,7 +161,7 @@ fn plane(world_from_shape: DAffine3) -> Option<Placement> {
     Some(Placement { anchor, scale: DVec3::ONE })
 }
 
-/// The same body with its scale in its sizes, as far as they can say it.
+/// Moves the scale of a body's placement into the sizes of its shape, as far as they can express it.
 fn folded(shape: Shape, placement: Placement) -> (Shape, Placement) {
     let scale = placement.scale;
     let plain = Placement { scale: DVec3::ONE, ..placement };
