@@ -10,6 +10,7 @@ use foldhash::fast::FixedState;
 
 use crate::geometry::Accelerator;
 use crate::geometry::membership::{BodyMembership, MembershipSource};
+use crate::geometry::ray::RayOrigin;
 use crate::simd::vector::Vector;
 use crate::simd::{Float as _, MOST_LANES, Mask as _, Width, Word as _};
 use crate::transport::scene::RenderScene;
@@ -113,22 +114,28 @@ impl MediumStacks {
         later.iter().rev().fold(at, |list, &body| self.entered(list, body))
     }
 
-    /// What a ray in `media` that crosses the surface of `body` comes to.
+    /// What a ray in `media` comes to beyond the surface of a body; `start` is the [word](RayOrigin::word) of one that is
+    /// reflected there. To leave a body that was never entered, as may be where surfaces coincide, changes nothing.
     pub(crate) fn interface(
         &mut self,
         scene: &RenderScene,
         waves: &SampledWavelengths,
         media: u32,
-        body: u32,
+        start: u32,
     ) -> MediumTransition {
-        if let Some(known) = self.crossings.get(&(media, body)) {
+        if let Some(known) = self.crossings.get(&(media, start)) {
             return *known;
         }
+        let RayOrigin { body, inwards } = RayOrigin::of_word(start);
         let is_inside = self.bodies(media).any(|other| other == body);
-        let beyond = if is_inside { self.left(media, body) } else { self.entered(media, body) };
+        let beyond = match (inwards, is_inside) {
+            (true, true) => self.left(media, body),
+            (false, false) => self.entered(media, body),
+            (true, false) | (false, true) => media,
+        };
         let ratio = self.ior(scene, waves, media) / self.ior(scene, waves, beyond);
         let crossing = MediumTransition { beyond, ratio };
-        self.crossings.insert((media, body), crossing);
+        self.crossings.insert((media, start), crossing);
         crossing
     }
 
@@ -222,6 +229,8 @@ impl MembershipSource for MediumStacks {
 
 #[cfg(test)]
 mod tests {
+    use catoptric_scene::{Body, Material, MaterialChoice, Phong, Scene};
+
     use super::*;
 
     fn list(table: &MediumStacks, media: u32) -> Vec<u32> {
@@ -246,6 +255,23 @@ mod tests {
         let media = table.left(media, 3);
         assert_eq!(list(&table, media), [2]);
         assert_eq!(table.left(media, 2), AIR);
+    }
+
+    /// Where surfaces coincide a ray can start within a body without having entered it.
+    #[test]
+    fn a_body_that_was_never_entered_is_left_without_a_trace() {
+        let glass = Material::Phong(Phong { transmission: 1.0, ior: 1.5, ..Phong::default() });
+        let ball = Body { material: MaterialChoice::Inline(Box::new(glass)), ..Body::default() };
+        let scene = Scene { bodies: [ball].into_iter().collect(), ..Scene::default() };
+        let scene = RenderScene::build(&scene).unwrap();
+        let (mut table, waves) = (MediumStacks::default(), SampledWavelengths::default());
+        let mut cross = |media, start: RayOrigin| table.interface(&scene, &waves, media, start.word());
+        let (outside, inside) = (RayOrigin { body: 0, inwards: false }, RayOrigin { body: 0, inwards: true });
+        assert_eq!(cross(AIR, inside), MediumTransition { beyond: AIR, ratio: 1.0 });
+        let glass = cross(AIR, outside);
+        assert_eq!(glass.ratio, 1.0 / 1.5);
+        assert_eq!(cross(glass.beyond, outside), MediumTransition { beyond: glass.beyond, ratio: 1.0 });
+        assert_eq!(cross(glass.beyond, inside), MediumTransition { beyond: AIR, ratio: 1.5 });
     }
 
     #[test]

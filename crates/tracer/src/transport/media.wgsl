@@ -35,9 +35,7 @@ fn media_enter(media: ptr<function, Media>, body: u32) {
     (*media).count += 1u;
 }
 
-// Crosses the surface of a body; returns the index of refraction before it divided by that beyond.
-fn media_cross(media: ptr<function, Media>, body: u32) -> f32 {
-    let before = media_ior(media);
+fn media_leave(media: ptr<function, Media>, body: u32) {
     var kept = 0u;
     for (var at = 0u; at < (*media).count; at++) {
         let other = (*media).bodies[at];
@@ -46,10 +44,18 @@ fn media_cross(media: ptr<function, Media>, body: u32) -> f32 {
             kept += 1u;
         }
     }
-    if kept == (*media).count {
+    (*media).count = kept;
+}
+
+// Crosses a surface; returns the index of refraction before it divided by that beyond. `start` is the word of a ray that is
+// reflected there. To leave a body that was never entered, as may be where surfaces coincide, changes nothing.
+fn media_cross(media: ptr<function, Media>, start: u32) -> f32 {
+    let before = media_ior(media);
+    let body = start & NO_START;
+    if (start & INWARDS) != 0u {
+        media_leave(media, body);
+    } else if !media_contains(media, body) {
         media_enter(media, body);
-    } else {
-        (*media).count = kept;
     }
     let beyond = media_ior(media);
     // A quotient of equal numbers need not be 1 on every card.

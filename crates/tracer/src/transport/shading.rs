@@ -22,7 +22,6 @@ use crate::transport::sampling::Sample2D;
 use crate::transport::scene::RenderScene;
 use crate::transport::spectrum::SampledWavelengths;
 use crate::transport::stream::StreamShading;
-use crate::transport::surface::bsdf::Bsdf;
 use crate::transport::tile_candidates::TileCandidates;
 
 /// One thread's means of shading packets; reusable from tile to tile.
@@ -201,7 +200,7 @@ impl<'a> ShadingContext<'a> {
         if !bsdf.scatters.any() {
             return light;
         }
-        let ratio = if FULL { self.facet_ratio(w, paths, bsdf) } else { w.real(1.0) };
+        let ratio = if FULL { self.facet_ratio(w, paths, at) } else { w.real(1.0) };
         let is_unshadowed = matches!(from, PacketSource::Unshadowed);
         let mut rays = at.rays_on_this_side(paths.rays.direction);
         for (index, source) in self.scene.lights.iter().enumerate() {
@@ -280,31 +279,32 @@ impl<'a> ShadingContext<'a> {
 
     /// The ratio of indices at facets of clear bodies, 1 elsewhere.
     #[inline(always)]
-    fn facet_ratio<W: Width>(&mut self, w: W, paths: &PathState<W>, bsdf: &Bsdf<W>) -> W::R {
-        let lanes = bsdf.rough_dielectric();
-        if lanes.any() { self.cross_interface(w, paths.media, bsdf.body, lanes).0 } else { w.real(1.0) }
+    fn facet_ratio<W: Width>(&mut self, w: W, paths: &PathState<W>, at: &SurfaceInteraction<W>) -> W::R {
+        let lanes = at.bsdf.rough_dielectric();
+        if lanes.any() { self.cross_interface(w, paths.media, at.start, lanes).0 } else { w.real(1.0) }
     }
 
-    /// The ratio of indices for rays that cross the surfaces of bodies, and the media beyond.
+    /// The ratio of indices for rays that cross surfaces, and the media beyond; `starts` are those of rays that are reflected
+    /// there.
     #[inline(always)]
     pub(crate) fn cross_interface<W: Width>(
         &mut self,
         w: W,
         media: W::W,
-        body: W::W,
+        starts: W::W,
         lanes: W::M,
     ) -> (W::R, W::W) {
-        let (mut lists, mut bodies) = ([AIR; MOST_LANES], [0; MOST_LANES]);
+        let (mut lists, mut words) = ([AIR; MOST_LANES], [0; MOST_LANES]);
         media.store(&mut lists);
-        body.store(&mut bodies);
+        starts.store(&mut words);
         let (mut ratio, mut beyond) = (w.real(1.0), media);
         let mut left = lanes.bits();
         while left != 0 {
             let lane = left.trailing_zeros() as usize % MOST_LANES;
-            let same = media.is(lists[lane]) & body.is(bodies[lane]);
+            let same = media.is(lists[lane]) & starts.is(words[lane]);
             left &= !same.bits();
             let same = same & lanes;
-            let crossing = self.media.interface(self.scene, &self.waves, lists[lane], bodies[lane]);
+            let crossing = self.media.interface(self.scene, &self.waves, lists[lane], words[lane]);
             ratio = W::R::select(same, w.real(crossing.ratio), ratio);
             beyond = W::W::select(same, w.word(crossing.beyond), beyond);
         }

@@ -355,7 +355,7 @@ impl<'a> WhittedIntegrator<'a> {
             let beyond = self
                 .shading
                 .media
-                .interface(self.shading.scene, &self.shading.waves, beam.media, at.bsdf.body)
+                .interface(self.shading.scene, &self.shading.waves, beam.media, at.start)
                 .beyond;
             let ior_beyond = self.shading.media.ior(self.shading.scene, &self.shading.waves, beyond);
             InterfaceRecord { ior_beyond, ratio, is_total: !passes }

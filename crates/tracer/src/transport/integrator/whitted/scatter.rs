@@ -89,7 +89,7 @@ impl WhittedIntegrator<'_> {
         w.run(
             #[inline(always)]
             || {
-                let (ratio, _) = self.shading.cross_interface(w, paths.media, at.bsdf.body, at_limit);
+                let (ratio, _) = self.shading.cross_interface(w, paths.media, at.start, at_limit);
                 // Between equal indices there is no surface that could be rough.
                 let straight = at_limit & ratio.eq(w.real(1.0));
                 if straight.any() {
@@ -121,7 +121,7 @@ impl WhittedIntegrator<'_> {
                 white = white & !lanes;
             }
         }
-        let crossing = self.interface::<W, FULL>(w, paths, paths.media, context.bsdf, transparent);
+        let crossing = self.interface::<W, FULL>(w, paths, paths.media, context, transparent);
         let DielectricInterface { ratio, dirac: BsdfDirac { passes, filter, .. }, .. } = crossing;
         secondary.on_interface(InterfaceCrossing { ratio, passes });
         if white.any() {
@@ -152,7 +152,7 @@ impl WhittedIntegrator<'_> {
                 for number in 0..self.shading.waves.len() {
                     let color = self.shading.waves.color(number);
                     let media = self.colored(w, paths.media, number, lanes);
-                    let crossing = self.interface::<W, true>(w, paths, media, context.bsdf, lanes);
+                    let crossing = self.interface::<W, true>(w, paths, media, context, lanes);
                     reflection = reflection + Vector::splat(nothing, color) * crossing.dirac.reflection;
                     let filter = crossing.dirac.filter.times_all(color);
                     self.send_through::<W, true>(w, paths, context, &crossing, filter, lanes, secondary);
@@ -169,11 +169,11 @@ impl WhittedIntegrator<'_> {
         w: W,
         paths: &PathState<W>,
         media: W::W,
-        bsdf: &Bsdf<W>,
+        context: &ScatterContext<'_, W>,
         transparent: W::M,
     ) -> DielectricInterface<W> {
-        let (ratio, beyond) = self.shading.cross_interface(w, media, bsdf.body, transparent);
-        let dirac = bsdf.dirac::<FULL>(w, paths.rays.direction, ratio, transparent);
+        let (ratio, beyond) = self.shading.cross_interface(w, media, context.at.start, transparent);
+        let dirac = context.bsdf.dirac::<FULL>(w, paths.rays.direction, ratio, transparent);
         DielectricInterface { ratio, beyond, dirac }
     }
 

@@ -10,15 +10,15 @@ struct MediumTransition {
     filter_color: vec3<f32>,
 }
 
-// A ray in media, which become those beyond, across the surface of a body.
+// A ray in media, which become those beyond, across the surface where `start` is that of one that is reflected.
 fn crossing(
     direction: vec3<f32>,
     normal: vec3<f32>,
-    body: u32,
+    start: u32,
     material: Material,
     media: ptr<function, Media>,
 ) -> MediumTransition {
-    let ratio = media_cross(media, body);
+    let ratio = media_cross(media, start);
     let bent = refract_through(direction, normal, ratio);
     var reflection = material.reflection;
     var filter_color: vec3<f32>;
@@ -30,7 +30,7 @@ fn crossing(
         reflection = sheet_reflectance(material, cos);
         filter_color = tint_of(material) * (1.0 - reflection);
     } else {
-        filter_color = filter_of(body);
+        filter_color = filter_of(start & NO_START);
     }
     // Total internal reflection: all of the light, and nothing twice.
     return MediumTransition(ratio, bent.direction, bent.passes, select(1.0, reflection, bent.passes), filter_color);
@@ -49,7 +49,7 @@ fn let_through(across: MediumTransition, ground: Macrosurface, filter_color: vec
 // Sends a ray through a surface, if it carries anything: it waits.
 fn send_through(ray: Ray, weight: vec3<f32>, generation: u32, at: SurfaceInteraction, ground: Macrosurface, media: Media) -> vec3<f32> {
     var beyond = media;
-    let across = crossing(ray.direction, at.normal, at.body, at.material, &beyond);
+    let across = crossing(ray.direction, at.normal, at.start, at.material, &beyond);
     let through = let_through(across, ground, across.filter_color);
     let passing = bounded(weight * through.weight);
     // A ray that goes straight on is the same ray still, unless it stands still; in the last generation only that goes on.
@@ -72,7 +72,7 @@ fn disperse(ray: Ray, weight: vec3<f32>, generation: u32, at: SurfaceInteraction
     for (var wave = 0u; wave < WAVE_COUNT; wave++) {
         var beyond = media;
         media_colored(&beyond, wave);
-        let across = crossing(ray.direction, at.normal, at.body, at.material, &beyond);
+        let across = crossing(ray.direction, at.normal, at.start, at.material, &beyond);
         reflection += wave_color(wave) * across.reflection;
     }
     return reflection;
@@ -88,10 +88,9 @@ fn send_wave(
 ) -> bool {
     let ray = waiting[place].ray;
     let waits_there = splits[place];
-    let body = ray.start & NO_START;
-    let material = material_of(body);
+    let material = material_of(ray.start & NO_START);
     media_colored(media, wave);
-    let across = crossing(ray.direction, waits_there.normal, body, material, media);
+    let across = crossing(ray.direction, waits_there.normal, ray.start, material, media);
     let ground = Macrosurface(waits_there.ground, material.alpha);
     let through = let_through(across, ground, across.filter_color * wave_color(wave));
     let passing = bounded(waiting[place].weight * through.weight);
