@@ -8,6 +8,8 @@ mod licenses;
 mod packages;
 #[cfg(test)]
 mod tidy;
+#[cfg(feature = "web")]
+mod web;
 
 use anyhow::{Result, bail};
 use xtask::shell::{self, command};
@@ -21,6 +23,7 @@ Usage: cargo xtask COMMAND
   ci --long    The same, and cargo deny
   dist         Make an archive of the program for Linux
   dist --try   The same, and try it on a bare Debian system (as root, with debootstrap)
+  web          Make the studio for browsers: static files in target/web
   help         List the other commands, those of the workbench: measurements, pictures of the documents
 ";
 
@@ -33,10 +36,25 @@ fn main() -> Result<()> {
         ["ci", "--long"] => ci::run(ci::Extent::Long)?,
         ["dist"] => dist::run(false)?,
         ["dist", "--try"] => dist::run(true)?,
-        ["ci" | "dist", ..] => bail!("wrong arguments: {}\n\n{HELP}", words.join(" ")),
+        ["web"] => web()?,
+        ["ci" | "dist" | "web", ..] => bail!("wrong arguments: {}\n\n{HELP}", words.join(" ")),
         _ => workbench(&words)?,
     }
     Ok(())
+}
+
+#[cfg(feature = "web")]
+fn web() -> Result<()> {
+    web::run()
+}
+
+/// Builds these chores anew, with what the check can do without, and runs them.
+#[cfg(not(feature = "web"))]
+fn web() -> Result<()> {
+    shell::run(&mut command(
+        "cargo",
+        &["run", "--quiet", "--package", "xtask", "--features", "web", "--", "web"],
+    ))
 }
 
 /// Builds and runs the workbench, which needs the tracer: the check starts without it.

@@ -51,7 +51,7 @@ impl Session {
         loop {
             let now = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
             let count = SESSIONS.fetch_add(1, Ordering::Relaxed);
-            let stem = format!("{:x}-{:x}-{count:x}", now.as_nanos(), std::process::id());
+            let stem = format!("{:x}-{:x}-{count:x}", now.as_nanos(), catoptric_platform::process::number());
             let lock_path = folder.join(&stem).with_extension(LOCK);
             match FileLock::take(&lock_path, LockMode::New) {
                 // Somebody who cleared away took it for one left behind, before it was locked.

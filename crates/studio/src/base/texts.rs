@@ -63,7 +63,11 @@ impl Language {
 
     /// The language that the system asks for; English when it is another one.
     pub fn of_system() -> Self {
-        let locale = sys_locale::get_locale().unwrap_or_default();
+        Self::of_locale(&sys_locale::get_locale().unwrap_or_default())
+    }
+
+    /// The language for a locale such as `ru-RU`; English when it is another one.
+    pub fn of_locale(locale: &str) -> Self {
         if locale.to_lowercase().starts_with("ru") { Self::Russian } else { Self::English }
     }
 

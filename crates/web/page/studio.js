@@ -1,0 +1,268 @@
+// The page around the studio: it forwards what happens, keeps files, and starts the studio anew when it fails.
+
+import { programs } from "./build.js";
+import { answerFileRequest, give } from "./dialogs.js";
+import { copyImage, copyText, pasteText } from "./clipboard.js";
+import { listen } from "./input.js";
+import { Store } from "./store.js";
+import { language, say } from "./words.js";
+
+// Says in this tab that the page was loaded once more for its isolation.
+const RELOADED = "catoptric reloaded";
+// A studio that fails so soon after a start, milliseconds, fails for good.
+const SOON = 10_000;
+
+const stage = document.getElementById("stage");
+const cover = document.getElementById("cover");
+const again = document.getElementById("again");
+const typing = document.getElementById("typing");
+
+const store = new Store();
+const canShare = self.crossOriginIsolated === true && programs.threads !== null;
+
+// The studio that runs: its worker, those of its threads, and its canvas.
+let current = null;
+
+function show(message, detail = "", progress = null) {
+  document.getElementById("message").textContent = message;
+  document.getElementById("detail").textContent = detail;
+  const bar = document.getElementById("progress");
+  bar.hidden = progress === null;
+  if (progress > 0) {
+    bar.value = progress;
+  } else {
+    bar.removeAttribute("value");
+  }
+  again.hidden = true;
+  cover.hidden = false;
+}
+
+function showFailure(message, detail) {
+  show(message, detail);
+  again.hidden = false;
+  again.textContent = say("again");
+}
+
+function optionsOf(fragment) {
+  const parameters = new URLSearchParams(fragment.replace(/^#/, ""));
+  const example = parameters.get("example");
+  return { language, page: store.page, ...(example ? { example } : {}) };
+}
+
+function start(options) {
+  const canvas = document.createElement("canvas");
+  canvas.id = "canvas";
+  canvas.tabIndex = 0;
+  stage.replaceChildren(canvas);
+  const worker = new Worker("worker.js", { type: "module", name: "studio" });
+  const studio = { worker, canvas, threads: new Set(), shared: null, startedAt: performance.now(), isShown: false };
+  current = studio;
+  worker.onmessage = ({ data }) => hear(studio, data, worker);
+  worker.onerror = (event) => lose(studio, event.message);
+  const drawing = canvas.transferControlToOffscreen();
+  const tell = (event) => worker.postMessage({ type: "event", event });
+  const sizes = listen(canvas, typing, tell, (files) => take(studio, files));
+  studio.stopListening = sizes.stop;
+  const processors = canShare ? Math.max(navigator.hardwareConcurrency || 2, 2) : 0;
+  const { bytes } = canShare ? programs.threads : programs.single;
+  const message = { type: "start", canvas: drawing, files: store.files(), options, size: sizes.first, processors, bytes };
+  worker.postMessage(message, [drawing]);
+  canvas.focus();
+}
+
+function stop(studio) {
+  studio.stopListening();
+  for (const worker of [studio.worker, ...studio.threads]) {
+    worker.terminate();
+  }
+  current = null;
+}
+
+// The studio is lost: a new one comes with what was kept.
+function lose(studio, reason) {
+  if (studio !== current) {
+    return;
+  }
+  const wasShown = studio.isShown;
+  stop(studio);
+  console.error("The studio is lost:", reason);
+  if (!wasShown) {
+    showFailure(say("failed"), reason);
+  } else if (performance.now() - studio.startedAt < SOON) {
+    showFailure(say("failedAgain"), reason);
+  } else {
+    show(say("stopped"), "", 0);
+    start(optionsOf(""));
+  }
+}
+
+// Puts files where the studio finds them; gives back their paths.
+async function take(studio, files) {
+  const paths = [];
+  for (const file of files) {
+    const path = `/files/${file.name}`;
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    studio.worker.postMessage({ type: "file", path, bytes });
+    store.keep(path, bytes);
+    paths.push(path);
+  }
+  return paths;
+}
+
+function hear(studio, message, worker) {
+  if (studio !== current) {
+    return;
+  }
+  const tell = (event) => studio.worker.postMessage({ type: "event", event });
+  switch (message.type) {
+    case "progress":
+      show(say("loading"), "", message.share);
+      break;
+    case "starting":
+      show(say("starting"), store.isLasting ? "" : say("noStore"), 0);
+      break;
+    case "shared":
+      studio.shared = { module: message.module, memory: message.memory };
+      break;
+    case "thread":
+      startThread(studio, message);
+      break;
+    case "ended":
+      worker.terminate();
+      studio.threads.delete(worker);
+      break;
+    case "wake":
+      studio.worker.postMessage({ type: "wake" });
+      break;
+    case "frame":
+      if (!studio.isShown) {
+        studio.isShown = true;
+        cover.hidden = true;
+        performance.mark("first frame");
+        keepAll();
+      }
+      break;
+    case "changes":
+      for (const [path, bytes] of message.changes) {
+        store.keep(path, bytes);
+        if (bytes) {
+          give(path, bytes);
+        }
+      }
+      break;
+    case "image":
+      copyImage(message.image);
+      break;
+    case "commands":
+      for (const command of message.commands) {
+        obey(studio, command, tell);
+      }
+      break;
+    case "fault":
+      lose(studio, message.message);
+      break;
+  }
+}
+
+function startThread(studio, { name, work }) {
+  const thread = new Worker("thread.js", { type: "module", name });
+  studio.threads.add(thread);
+  thread.onmessage = ({ data }) => hear(studio, data, thread);
+  thread.onerror = (event) => lose(studio, event.message);
+  thread.postMessage({ ...studio.shared, work });
+}
+
+async function obey(studio, command, tell) {
+  switch (command.type) {
+    case "cursor":
+      studio.canvas.style.cursor = command.css;
+      break;
+    case "copy":
+      copyText(command.text);
+      break;
+    case "paste": {
+      const text = await pasteText();
+      if (text) {
+        tell({ type: "paste", text });
+      }
+      break;
+    }
+    case "open":
+      window.open(command.url, "_blank", "noopener");
+      break;
+    case "title":
+      document.title = command.text;
+      break;
+    case "askFile": {
+      const path = await answerFileRequest(command, (files) => take(studio, files));
+      tell({ type: "file", id: command.id, path });
+      break;
+    }
+    case "typeAt":
+      if (command.place) {
+        typing.style.left = `${command.place[0]}px`;
+        typing.style.top = `${command.place[1]}px`;
+        typing.focus({ preventScroll: true });
+      } else if (document.activeElement === typing) {
+        studio.canvas.focus({ preventScroll: true });
+      }
+      break;
+  }
+}
+
+document.addEventListener("visibilitychange", () => {
+  current?.worker.postMessage({ type: "hidden", isHidden: document.hidden });
+});
+again.onclick = () => start(optionsOf(""));
+
+// The service worker keeps the laboratory for later, and isolates the page where the server does not: then it is loaded
+// once more.
+async function keepForLater() {
+  const workers = navigator.serviceWorker;
+  if (!workers) {
+    return;
+  }
+  try {
+    const registration = await workers.register("service-worker.js");
+    await workers.ready;
+    announceNewer(registration);
+  } catch (error) {
+    console.warn("Nothing is kept for when there is no network:", error);
+    return;
+  }
+  if (self.crossOriginIsolated || self !== self.top || sessionStorage.getItem(RELOADED)) {
+    return;
+  }
+  sessionStorage.setItem(RELOADED, "yes");
+  location.reload();
+  await new Promise(() => {});
+}
+
+function keepAll() {
+  const without = canShare ? "single/" : "threads/";
+  navigator.serviceWorker?.controller?.postMessage({ type: "keep", without });
+}
+
+// Offers a newer laboratory, which waits until no page has the old one.
+function announceNewer(registration) {
+  const offer = () => {
+    if (!registration.waiting || !registration.active) {
+      return;
+    }
+    const notice = document.getElementById("newer");
+    const load = document.getElementById("load");
+    document.getElementById("newer-text").textContent = say("newer");
+    load.textContent = say("load");
+    load.onclick = () => {
+      navigator.serviceWorker.addEventListener("controllerchange", () => location.reload());
+      registration.waiting.postMessage({ type: "take over" });
+    };
+    notice.hidden = false;
+  };
+  offer();
+  registration.addEventListener("updatefound", () => registration.installing?.addEventListener("statechange", offer));
+}
+
+show(say("loading"), "", 0);
+await Promise.all([store.open(), keepForLater()]);
+start(optionsOf(location.hash));

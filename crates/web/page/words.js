@@ -1,0 +1,33 @@
+// What the page itself says; the studio has its own catalogs.
+
+const WORDS = {
+  en: {
+    loading: "Loading the laboratory",
+    starting: "Starting",
+    stopped: "The studio stopped because of a fault and is started again. What was kept of unsaved work is offered.",
+    failed: "The studio cannot be started here.",
+    failedAgain: "The studio stops again and again. Unsaved work is kept in this browser.",
+    noStore: "This browser keeps nothing for this page: save your work to files.",
+    again: "Try again",
+    newer: "A newer laboratory is here.",
+    load: "Load it",
+  },
+  ru: {
+    loading: "Загружается лаборатория",
+    starting: "Запускается",
+    stopped: "Студия остановилась из-за ошибки и запускается снова. Сохранённая несохранённая работа будет предложена.",
+    failed: "Студию здесь запустить нельзя.",
+    failedAgain: "Студия останавливается снова и снова. Несохранённая работа остаётся в этом браузере.",
+    noStore: "Браузер ничего не хранит для этой страницы: сохраняйте работу в файлы.",
+    again: "Попробовать снова",
+    newer: "Появилась новая версия лаборатории.",
+    load: "Загрузить",
+  },
+};
+
+export const language = navigator.language || "en";
+const chosen = language.toLowerCase().startsWith("ru") ? WORDS.ru : WORDS.en;
+
+export function say(key) {
+  return chosen[key];
+}

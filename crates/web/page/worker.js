@@ -1,0 +1,132 @@
+// The worker in which the studio lives: it draws, and it may wait.
+
+const STACK = 4 << 20;
+
+let glue = null;
+let studio = null;
+let isHidden = false;
+let frameAt = Infinity;
+let timer = 0;
+
+self.onmessage = ({ data }) => {
+  attempt(() => {
+    switch (data.type) {
+      case "start":
+        start(data).catch(fail);
+        break;
+      case "event":
+        studio?.tell(JSON.stringify(data.event));
+        drawIn(0);
+        break;
+      case "file":
+        glue?.putFile(data.path, data.bytes);
+        break;
+      case "hidden":
+        isHidden = data.isHidden;
+        frameAt = Infinity;
+        drawIn(0);
+        break;
+      case "wake":
+        drawIn(0);
+        break;
+    }
+  });
+};
+
+async function start({ canvas, files, options, size, processors, bytes }) {
+  const hasThreads = processors > 0;
+  const folder = hasThreads ? "./threads" : "./single";
+  glue = await import(`${folder}/studio.js`);
+  const module = await compile(new URL(`${folder}/studio_bg.wasm`, import.meta.url), bytes);
+  self.postMessage({ type: "starting" });
+  const { memory } = glue.initSync(hasThreads ? { module, thread_stack_size: STACK } : { module });
+  if (hasThreads) {
+    self.postMessage({ type: "shared", module, memory });
+    glue.useThreads(processors);
+  }
+  for (const [path, bytes] of files) {
+    glue.putFile(path, bytes);
+  }
+  canvas.addEventListener("webglcontextlost", () => fail(new Error("WebGL")));
+  studio = new glue.Studio(canvas, JSON.stringify(options));
+  for (const event of size) {
+    studio.tell(JSON.stringify(event));
+  }
+  drawIn(0);
+}
+
+// Compiles the program of so many bytes while it is loaded, and tells how far that is.
+async function compile(url, bytes) {
+  const response = await fetch(url);
+  if (!response.ok) {
+    throw new Error(`${url.pathname}: ${response.status} ${response.statusText}`);
+  }
+  let loaded = 0;
+  const counted = response.body.pipeThrough(
+    new TransformStream({
+      transform(chunk, controller) {
+        loaded += chunk.byteLength;
+        self.postMessage({ type: "progress", share: loaded / bytes });
+        controller.enqueue(chunk);
+      },
+    }),
+  );
+  const headers = { "Content-Type": "application/wasm" };
+  return WebAssembly.compileStreaming(new Response(counted, { headers }));
+}
+
+// Has a frame drawn in so many milliseconds at the latest.
+function drawIn(delay) {
+  const at = performance.now() + delay;
+  if (!studio || at >= frameAt) {
+    return;
+  }
+  frameAt = at;
+  clearTimeout(timer);
+  timer = 0;
+  if (isHidden) {
+    timer = setTimeout(draw, Math.max(delay, 250));
+  } else if (delay > 0) {
+    timer = setTimeout(() => requestAnimationFrame(draw), delay);
+  } else {
+    requestAnimationFrame(draw);
+  }
+}
+
+function draw() {
+  if (frameAt === Infinity) {
+    return;
+  }
+  frameAt = Infinity;
+  attempt(() => {
+    const { commands, delay } = JSON.parse(studio.frame(performance.now()));
+    const changes = glue.takeChanges();
+    if (changes.length > 0) {
+      self.postMessage({ type: "changes", changes });
+    }
+    for (let image = studio.takeImage(); image; image = studio.takeImage()) {
+      self.postMessage({ type: "image", image });
+    }
+    if (commands.length > 0) {
+      self.postMessage({ type: "commands", commands });
+    }
+    self.postMessage({ type: "frame" });
+    if (delay !== null) {
+      drawIn(delay);
+    }
+  });
+}
+
+function attempt(work) {
+  try {
+    work();
+  } catch (error) {
+    fail(error);
+  }
+}
+
+// A studio that has failed once is not asked again.
+function fail(error) {
+  studio = null;
+  self.postMessage({ type: "fault", message: String(error?.message ?? error) });
+}

@@ -1,0 +1,16 @@
+#![doc = include_str!("../README.md")]
+#![cfg_attr(not(target_family = "wasm"), allow(dead_code, reason = "only a browser starts the studio so"))]
+
+mod host;
+mod page;
+#[cfg(target_family = "wasm")]
+mod painter;
+#[cfg(target_family = "wasm")]
+mod studio;
+#[cfg(target_family = "wasm")]
+mod threads;
+
+#[cfg(target_family = "wasm")]
+pub use studio::{WebStudio, put_file, take_changes};
+#[cfg(target_family = "wasm")]
+pub use threads::{run_thread, use_page_threads};

@@ -1,0 +1,226 @@
+//! The studio in a worker of the page.
+
+use std::path::Path;
+use std::pin::Pin;
+use std::time::Duration;
+
+use catoptric_platform::{files, process};
+use catoptric_studio::host::Host as _;
+use catoptric_studio::{Language, StartDocument, Studio};
+use egui::{
+    Context, DroppedFile, FullOutput, HoveredFile, Modifiers, OutputCommand, RawInput, Rect, Theme, Vec2,
+    ViewportCommand, ViewportId,
+};
+use js_sys::{Array, Uint8Array};
+use serde::Serialize;
+use wasm_bindgen::prelude::*;
+use web_sys::OffscreenCanvas;
+
+use crate::host::PageHost;
+use crate::page::{PageCommand, PageEvent, StartOptions, css_cursor};
+use crate::painter::CanvasPainter;
+use crate::threads;
+
+/// The studio, which draws into a canvas.
+#[wasm_bindgen(js_name = Studio)]
+pub struct WebStudio {
+    context: Context,
+    studio: Studio,
+    painter: CanvasPainter,
+    host: PageHost,
+    input: RawInput,
+    modifiers: Modifiers,
+    /// Of the canvas, CSS pixels.
+    size: Vec2,
+    /// Pixels of the device in a CSS pixel.
+    ratio: f32,
+    /// What the page was told last.
+    told: Told,
+    images: Vec<egui::ColorImage>,
+}
+
+/// What the page was told last, so that it is not told again.
+#[derive(Debug, Default, PartialEq)]
+struct Told {
+    cursor: &'static str,
+    place: Option<[f32; 2]>,
+}
+
+/// What came of a frame.
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct FrameReport {
+    commands: Vec<PageCommand>,
+    /// When the next frame is wanted, milliseconds from now; never unless something happens for `None`.
+    delay: Option<f64>,
+}
+
+/// A file that was dropped, which is in the store by now.
+#[derive(Debug)]
+struct StoredFile(std::path::PathBuf);
+
+impl DroppedFile for StoredFile {
+    fn path(&self) -> &Path {
+        &self.0
+    }
+
+    fn bytes_async(&self) -> Pin<Box<dyn Future<Output = Result<Vec<u8>, String>> + '_>> {
+        Box::pin(std::future::ready(files::read_bytes(&self.0, u64::MAX).map_err(|error| error.to_string())))
+    }
+}
+
+/// Puts a file into the studio's store: before it starts those of the last time, later those that the person gives.
+#[wasm_bindgen(js_name = putFile)]
+pub fn put_file(path: &str, bytes: Vec<u8>) -> Result<(), JsError> {
+    Ok(files::put(Path::new(path), bytes)?)
+}
+
+/// The files that changed since this was asked last: pairs of a path and an array of bytes, or `null` for one that was
+/// removed.
+#[wasm_bindgen(js_name = takeChanges)]
+pub fn take_changes() -> Array {
+    let changes = files::take_changes().into_iter().map(|change| {
+        let bytes = change.bytes.map_or(JsValue::NULL, |bytes| Uint8Array::from(&*bytes).into());
+        Array::of2(&change.path.to_string_lossy().as_ref().into(), &bytes)
+    });
+    changes.collect()
+}
+
+#[wasm_bindgen(js_class = Studio)]
+impl WebStudio {
+    /// Starts the studio.
+    #[wasm_bindgen(constructor)]
+    pub fn new(canvas: OffscreenCanvas, options: &str) -> Result<Self, JsError> {
+        let options: StartOptions = serde_json::from_str(options)?;
+        let painter = CanvasPainter::new(canvas).map_err(|reason| JsError::new(&reason))?;
+        let host = PageHost::default();
+        process::use_number(options.page);
+        choose_language(&host, &options.language)?;
+        let start = match (options.file, options.example) {
+            (Some(path), _) => StartDocument::File(path.into()),
+            (None, Some(name)) => StartDocument::Example(name),
+            (None, None) => StartDocument::Last,
+        };
+        let context = Context::default();
+        context.set_request_repaint_callback(|_| threads::wake());
+        let studio = Studio::new(&context, &start, Box::new(host.clone()))?;
+        let input = RawInput { max_texture_side: Some(painter.max_texture_side()), ..RawInput::default() };
+        let (size, ratio, told, images) = (Vec2::new(1.0, 1.0), 1.0, Told::default(), Vec::new());
+        Ok(Self {
+            context,
+            studio,
+            painter,
+            host,
+            input,
+            modifiers: Modifiers::NONE,
+            size,
+            ratio,
+            told,
+            images,
+        })
+    }
+
+    /// Takes note of what happened on the page: a [`PageEvent`].
+    pub fn tell(&mut self, event: &str) -> Result<(), JsError> {
+        let event: PageEvent = serde_json::from_str(event)?;
+        if let Some(modifiers) = event.modifiers()
+            && modifiers != self.modifiers
+        {
+            self.modifiers = modifiers;
+            self.input.events.push(egui::Event::ModifiersChanged(modifiers));
+        }
+        match &event {
+            PageEvent::Size { width, height, ratio } => {
+                (self.size, self.ratio) = (Vec2::new(*width, *height), *ratio);
+            }
+            PageEvent::Focus { focused } => self.input.focused = *focused,
+            PageEvent::Theme { is_dark } => {
+                self.input.system_theme = Some(if *is_dark { Theme::Dark } else { Theme::Light });
+            }
+            PageEvent::Hovering { count } => self.input.hovered_files = vec![HoveredFile::default(); *count],
+            PageEvent::Dropped { paths } => {
+                self.input.hovered_files.clear();
+                for path in paths {
+                    self.input.dropped_files.push(std::sync::Arc::new(StoredFile(path.into())));
+                }
+            }
+            PageEvent::File { id, path } => self.host.answer(*id, path.as_ref().map(Into::into)),
+            _ => {}
+        }
+        self.input.events.extend(event.into_events(self.context.zoom_factor()));
+        Ok(())
+    }
+
+    /// Draws a frame; `now` in milliseconds.
+    pub fn frame(&mut self, now: f64) -> Result<String, JsError> {
+        let mut input = self.input.take();
+        let zoom = self.context.zoom_factor();
+        input.time = Some(now / 1000.0);
+        input.screen_rect = Some(Rect::from_min_size(egui::Pos2::ZERO, self.size / zoom));
+        let viewport = input.viewports.entry(ViewportId::ROOT).or_default();
+        viewport.native_pixels_per_point = Some(self.ratio);
+        viewport.inner_rect = input.screen_rect;
+        viewport.focused = Some(input.focused);
+        let FullOutput { platform_output, textures_delta, shapes, pixels_per_point, mut viewport_output } =
+            self.context.run_ui(input, |ui| self.studio.ui(ui));
+        let primitives = self.context.tessellate(shapes, pixels_per_point);
+        self.painter
+            .resize([self.size.x, self.size.y].map(|side| (side * self.ratio).round().max(1.0) as u32));
+        let background = self.context.global_style().visuals.panel_fill.to_normalized_gamma_f32();
+        self.painter.paint(&primitives, textures_delta, pixels_per_point, background);
+        let mut commands = Vec::new();
+        self.tell_page(platform_output, zoom, &mut commands);
+        let viewport = viewport_output.remove(&ViewportId::ROOT);
+        let (delay, wishes) = viewport.map_or((Duration::MAX, Vec::new()), |v| (v.repaint_delay, v.commands));
+        commands.extend(wishes.into_iter().filter_map(|wish| match wish {
+            ViewportCommand::Title(text) => Some(PageCommand::Title { text }),
+            ViewportCommand::RequestPaste => Some(PageCommand::Paste {}),
+            _ => None,
+        }));
+        commands.extend(self.host.take_questions());
+        let delay = (delay < Duration::from_secs(3600)).then(|| delay.as_secs_f64() * 1000.0);
+        Ok(serde_json::to_string(&FrameReport { commands, delay })?)
+    }
+
+    /// A picture for the clipboard: width, height, and red, green, blue and opacity of every pixel; or `undefined`.
+    #[wasm_bindgen(js_name = takeImage)]
+    pub fn take_image(&mut self) -> Option<Array> {
+        let image = self.images.pop()?;
+        let [width, height] = image.size.map(|side| JsValue::from(side as u32));
+        let bytes: Vec<u8> = image.pixels.iter().flat_map(egui::Color32::to_srgba_unmultiplied).collect();
+        Some(Array::of3(&width, &height, &Uint8Array::from(&bytes[..]).into()))
+    }
+}
+
+/// At the first start the language is that of the browser.
+fn choose_language(host: &PageHost, locale: &str) -> Result<(), JsError> {
+    if let Some(path) = host.settings_path().filter(|path| !files::exists(path)) {
+        let settings = serde_json::json!({ "language": Language::of_locale(locale) });
+        files::put(&path, settings.to_string().into_bytes())?;
+    }
+    Ok(())
+}
+
+impl WebStudio {
+    fn tell_page(&mut self, output: egui::PlatformOutput, zoom: f32, commands: &mut Vec<PageCommand>) {
+        for command in output.commands {
+            match command {
+                OutputCommand::CopyText(text) => commands.push(PageCommand::Copy { text }),
+                OutputCommand::CopyImage(image) => self.images.push(image),
+                OutputCommand::OpenUrl(open) => {
+                    commands.push(PageCommand::Open { url: open.url, in_new_tab: open.new_tab });
+                }
+                OutputCommand::TextSelectionSettled(_) => {}
+            }
+        }
+        let css = css_cursor(output.cursor_icon);
+        let place = output.ime.map(|ime| ime.cursor_rect.left_bottom() * zoom).map(|at| [at.x, at.y]);
+        let told = std::mem::replace(&mut self.told, Told { cursor: css, place });
+        if told.cursor != css {
+            commands.push(PageCommand::Cursor { css });
+        }
+        if told.place != place {
+            commands.push(PageCommand::TypeAt { place });
+        }
+    }
+}

@@ -1,0 +1,63 @@
+//! Threads of the studio: workers that the page starts.
+
+use std::cell::Cell;
+use std::io;
+
+use catoptric_platform::threads::use_threads;
+use wasm_bindgen::prelude::*;
+
+thread_local! {
+    /// Whether this is a worker that does a thread's work.
+    static IS_THREAD: Cell<bool> = const { Cell::new(false) };
+}
+
+type Work = Box<dyn FnOnce() + Send>;
+
+#[wasm_bindgen]
+extern "C" {
+    /// Tells the page something, from whichever worker.
+    #[wasm_bindgen(js_name = postMessage)]
+    fn post_message(message: &JsValue);
+}
+
+/// From now on the page starts threads, of which so many run at the same time: to be called if it can share memory.
+#[wasm_bindgen(js_name = useThreads)]
+pub fn use_page_threads(processors: usize) {
+    use_threads(processors, |name, work| {
+        let work = Box::into_raw(Box::new(work)) as u32;
+        tell("thread", &[("name", name.into()), ("work", work.into())])
+            .map_err(|_| io::ErrorKind::Other.into())
+    });
+}
+
+/// Does what a message `thread` asked for: in the new worker, once.
+///
+/// # Safety
+/// `work` comes from that message, and is done only once.
+#[allow(unsafe_code, reason = "a worker is handed its work as a number")]
+#[wasm_bindgen(js_name = runThread)]
+pub unsafe fn run_thread(work: u32) {
+    IS_THREAD.set(true);
+    // SAFETY: `use_page_threads` made it from a box, and the page hands it on to one worker.
+    let work = unsafe { Box::from_raw(work as *mut Work) };
+    work();
+}
+
+/// Has a frame drawn soon, whoever asks for it.
+pub(crate) fn wake() {
+    // In the studio's own worker each frame says itself when the next one is wanted.
+    if IS_THREAD.get() {
+        // A page that is gone needs no frame.
+        let _ = tell("wake", &[]);
+    }
+}
+
+fn tell(kind: &str, parts: &[(&str, JsValue)]) -> Result<(), JsValue> {
+    let message = js_sys::Object::new();
+    js_sys::Reflect::set(&message, &"type".into(), &kind.into())?;
+    for (key, value) in parts {
+        js_sys::Reflect::set(&message, &(*key).into(), value)?;
+    }
+    post_message(&message);
+    Ok(())
+}

@@ -1,0 +1,167 @@
+//! The studio as static files for browsers.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::hash::{DefaultHasher, Hash as _, Hasher as _};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use anyhow::{Context as _, Result, bail};
+use wasm_bindgen_cli_support::Bindgen;
+
+use xtask::root;
+use xtask::shell::{self, command, exists, output};
+
+const TARGET: &str = "wasm32-unknown-unknown";
+
+/// One of the two programs: browsers share memory between workers only on pages that are isolated from others.
+struct Flavor {
+    folder: &'static str,
+    features: &'static str,
+    link_arguments: &'static [&'static str],
+    /// Whether the standard library has to be built with these features, too.
+    builds_std: bool,
+}
+
+const SINGLE: Flavor = Flavor {
+    folder: "single",
+    features: "+simd128",
+    link_arguments: &["-zstack-size=4194304"],
+    builds_std: false,
+};
+
+const THREADS: Flavor = Flavor {
+    folder: "threads",
+    features: "+simd128,+atomics,+bulk-memory",
+    link_arguments: &[
+        "-zstack-size=4194304",
+        "--shared-memory",
+        "--import-memory",
+        "--max-memory=4294967296",
+        "--export=__wasm_init_tls",
+        "--export=__tls_size",
+        "--export=__tls_align",
+        "--export=__tls_base",
+    ],
+    builds_std: true,
+};
+
+/// Makes `target/web`; says what had to be left out.
+pub(crate) fn run() -> Result<()> {
+    let folder = root().join("target/web");
+    if folder.exists() {
+        fs::remove_dir_all(&folder).with_context(|| format!("cannot empty {}", folder.display()))?;
+    }
+    fs::create_dir_all(&folder)?;
+    copy_page(&folder)?;
+    build(&SINGLE, &folder)?;
+    let threads = why_no_threads()?;
+    match &threads {
+        None => build(&THREADS, &folder)?,
+        Some(reason) => println!("skipped: several threads: {reason}"),
+    }
+    let told = [&SINGLE, &THREADS].map(|flavor| {
+        let bytes = fs::metadata(program(flavor, &folder)).map(|found| found.len());
+        let value = bytes.map_or("null".to_owned(), |bytes| format!("{{ bytes: {bytes} }}"));
+        format!("{}: {value}", flavor.folder)
+    });
+    fs::write(folder.join("build.js"), format!("export const programs = {{ {} }};\n", told.join(", ")))?;
+    write_service_worker(&folder)?;
+    println!("{}", folder.display());
+    Ok(())
+}
+
+/// Why the standard library cannot be built with threads, if so.
+fn why_no_threads() -> Result<Option<String>> {
+    let sysroot = output(&mut command("rustc", &["--print", "sysroot"]))?;
+    let source = Path::new(sysroot.trim()).join("lib/rustlib/src/rust/library/std");
+    let advice = "the source of the standard library is not there (rustup component add rust-src)";
+    Ok((!source.exists()).then(|| advice.to_owned()))
+}
+
+fn build(flavor: &Flavor, folder: &Path) -> Result<()> {
+    println!("== {}", flavor.folder);
+    let mut cargo =
+        command("cargo", &["build", "--package", "catoptric-web", "--locked", "--profile", "web"]);
+    cargo.args(["--target", TARGET]);
+    let links = flavor.link_arguments.iter().map(|argument| format!(" -Clink-arg={argument}"));
+    cargo.env("RUSTFLAGS", format!("-Ctarget-feature={}{}", flavor.features, links.collect::<String>()));
+    if flavor.builds_std {
+        // A stable compiler builds its own library with these features only if it is told that it may.
+        cargo.args(["-Z", "build-std=std,panic_abort"]).env("RUSTC_BOOTSTRAP", "1");
+    }
+    shell::run(&mut cargo)?;
+    let program = target_folder()?.join(TARGET).join("web/catoptric_web.wasm");
+    let out = folder.join(flavor.folder);
+    let mut bindgen = Bindgen::new();
+    bindgen.input_path(&program).out_name("studio").typescript(false);
+    bindgen.web(true)?.generate(&out).with_context(|| format!("cannot bind {}", program.display()))?;
+    make_small(&self::program(flavor, folder))
+}
+
+/// The program, ready to be loaded.
+fn program(flavor: &Flavor, folder: &Path) -> PathBuf {
+    folder.join(flavor.folder).join("studio_bg.wasm")
+}
+
+/// Where cargo builds.
+fn target_folder() -> Result<PathBuf> {
+    let told = output(&mut command("cargo", &["metadata", "--no-deps", "--format-version", "1"]))?;
+    let after = told.split("\"target_directory\":\"").nth(1).context("cargo told no target folder")?;
+    Ok(after.split('"').next().unwrap_or_default().into())
+}
+
+/// Lets Binaryen make the program smaller and quicker, where it is installed.
+fn make_small(program: &Path) -> Result<()> {
+    if !exists("wasm-opt", "--version") {
+        println!("skipped: optimization by Binaryen: wasm-opt is not installed (apt-get install binaryen)");
+        return Ok(());
+    }
+    let mut optimize = Command::new("wasm-opt");
+    optimize.args(["-O3", "--all-features"]).arg(program).arg("-o").arg(program);
+    shell::run(&mut optimize)
+}
+
+fn copy_page(folder: &Path) -> Result<()> {
+    let page = root().join("crates/web/page");
+    for entry in fs::read_dir(&page)? {
+        let path = entry?.path();
+        if let Some(name) = path.file_name() {
+            fs::copy(&path, folder.join(name))?;
+        }
+    }
+    fs::copy(root().join("crates/studio/assets/icon.png"), folder.join("icon.png"))?;
+    Ok(())
+}
+
+/// Tells the service worker which files there are, and a name for just these contents.
+fn write_service_worker(folder: &Path) -> Result<()> {
+    let mut files = BTreeMap::new();
+    collect(folder, folder, &mut files)?;
+    let mut hasher = DefaultHasher::new();
+    files.hash(&mut hasher);
+    let names: Vec<String> =
+        files.keys().filter(|name| *name != "service-worker.js").map(|name| format!("{name:?}")).collect();
+    let path = folder.join("service-worker.js");
+    let script = fs::read_to_string(&path)?;
+    let (version, list) = (format!("{:016x}", hasher.finish()), format!("[{}]", names.join(", ")));
+    let told = script.replace("\"VERSION\"", &format!("\"{version}\"")).replace("[\"FILES\"]", &list);
+    if told == script {
+        bail!("the service worker has no place for its files");
+    }
+    fs::write(path, told)?;
+    Ok(())
+}
+
+fn collect(folder: &Path, root: &Path, files: &mut BTreeMap<String, Vec<u8>>) -> Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.is_dir() {
+            collect(&path, root, files)?;
+        } else {
+            let name = path.strip_prefix(root)?.to_string_lossy().replace('\\', "/");
+            files.insert(name, fs::read(&path)?);
+        }
+    }
+    Ok(())
+}
