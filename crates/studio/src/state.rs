@@ -6,6 +6,7 @@ pub(crate) mod command;
 pub(crate) mod command_context;
 pub(crate) mod context;
 pub(crate) mod exact;
+pub(crate) mod host;
 pub(crate) mod images;
 pub(crate) mod layout;
 pub(crate) mod maps;

@@ -3,8 +3,10 @@
 export async function copyText(text) {
   try {
     await navigator.clipboard.writeText(text);
+    return true;
   } catch (error) {
     console.warn("The clipboard refuses:", error);
+    return false;
   }
 }
 

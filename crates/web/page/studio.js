@@ -3,6 +3,7 @@
 import { programs } from "./build.js";
 import { answerFileRequest, give } from "./dialogs.js";
 import { copyImage, copyText, pasteText } from "./clipboard.js";
+import { addressOf, viewIn } from "./link.js";
 import { listen } from "./input.js";
 import { Store } from "./store.js";
 import { language, say } from "./words.js";
@@ -12,6 +13,9 @@ const RELOADED = "catoptric reloaded";
 // A studio that fails so soon after a start, milliseconds, fails for good.
 const SOON = 10_000;
 
+// A studio that says nothing for so long, milliseconds, may be lost.
+const SILENCE = 10_000;
+
 const stage = document.getElementById("stage");
 const cover = document.getElementById("cover");
 const again = document.getElementById("again");
@@ -19,6 +23,9 @@ const typing = document.getElementById("typing");
 
 const store = new Store();
 const canShare = self.crossOriginIsolated === true && programs.threads !== null;
+
+// The questions for the state of the studio that have no answer yet, by number.
+const questions = new Map();
 
 // The studio that runs: its worker, those of its threads, and its canvas.
 let current = null;
@@ -43,10 +50,20 @@ function showFailure(message, detail) {
   again.textContent = say("again");
 }
 
-function optionsOf(fragment) {
+async function optionsOf(fragment) {
   const parameters = new URLSearchParams(fragment.replace(/^#/, ""));
-  const example = parameters.get("example");
-  return { language, page: store.page, ...(example ? { example } : {}) };
+  const options = { language, page: store.page };
+  if (parameters.has("view")) {
+    options.link = await viewIn(parameters.get("view"));
+  } else if (parameters.has("example")) {
+    options.example = parameters.get("example");
+  }
+  return options;
+}
+
+// The studio as it is started anew: with what it had last.
+function usualOptions() {
+  return { language, page: store.page };
 }
 
 function start(options) {
@@ -55,7 +72,7 @@ function start(options) {
   canvas.tabIndex = 0;
   stage.replaceChildren(canvas);
   const worker = new Worker("worker.js", { type: "module", name: "studio" });
-  const studio = { worker, canvas, threads: new Set(), shared: null, startedAt: performance.now(), isShown: false };
+  const studio = { worker, canvas, threads: new Set(), shared: null, startedAt: performance.now(), heardAt: performance.now(), isShown: false };
   current = studio;
   worker.onmessage = ({ data }) => hear(studio, data, worker);
   worker.onerror = (event) => lose(studio, event.message);
@@ -92,7 +109,7 @@ function lose(studio, reason) {
     showFailure(say("failedAgain"), reason);
   } else {
     show(say("stopped"), "", 0);
-    start(optionsOf(""));
+    start(usualOptions());
   }
 }
 
@@ -134,10 +151,18 @@ function hear(studio, message, worker) {
     case "wake":
       studio.worker.postMessage({ type: "wake" });
       break;
+    case "state":
+      questions.get(message.number)?.(message.state);
+      questions.delete(message.number);
+      break;
+    case "pong":
+      hearAgain(studio);
+      break;
     case "frame":
       if (!studio.isShown) {
         studio.isShown = true;
         cover.hidden = true;
+        studio.heardAt = performance.now();
         performance.mark("first frame");
         keepAll();
       }
@@ -198,6 +223,9 @@ async function obey(studio, command, tell) {
       tell({ type: "file", id: command.id, path });
       break;
     }
+    case "link":
+      tell({ type: "link", outcome: await copyLink(command.view) });
+      break;
     case "typeAt":
       if (command.place) {
         typing.style.left = `${command.place[0]}px`;
@@ -210,10 +238,66 @@ async function obey(studio, command, tell) {
   }
 }
 
+async function copyLink(view) {
+  const address = await addressOf(view);
+  if (address === null) {
+    return "tooLong";
+  }
+  return (await copyText(address)) ? "copied" : "refused";
+}
+
+// A worker can die without a word, and a studio without threads is busy for long while it renders: the person decides.
+function ping() {
+  if (!current?.isShown || document.hidden) {
+    return;
+  }
+  if (performance.now() - current.heardAt > SILENCE) {
+    offer(say("silent"), say("restart"), () => lose(current, say("silent")));
+  }
+  current.worker.postMessage({ type: "ping" });
+}
+
+function hearAgain(studio) {
+  if (performance.now() - studio.heardAt > SILENCE) {
+    withdraw();
+  }
+  studio.heardAt = performance.now();
+}
+
+// Shows a notice with a button that does something.
+function offer(text, button, act) {
+  document.getElementById("offer-text").textContent = text;
+  const take = document.getElementById("offer-button");
+  take.textContent = button;
+  take.onclick = () => {
+    withdraw();
+    act();
+  };
+  document.getElementById("offer").hidden = false;
+}
+
+function withdraw() {
+  document.getElementById("offer").hidden = true;
+}
+
+// For scripts of the page, and for tests: commands by their names, and how the studio stands.
+self.catoptric = {
+  run(command) {
+    current?.worker.postMessage({ type: "event", event: { type: "run", command } });
+  },
+  state() {
+    return new Promise((resolve) => {
+      const number = questions.size === 0 ? 0 : Math.max(...questions.keys()) + 1;
+      questions.set(number, (state) => resolve(state && JSON.parse(state)));
+      current?.worker.postMessage({ type: "ask", number });
+    });
+  },
+};
+
 document.addEventListener("visibilitychange", () => {
   current?.worker.postMessage({ type: "hidden", isHidden: document.hidden });
 });
-again.onclick = () => start(optionsOf(""));
+again.onclick = () => start(usualOptions());
 
 // The service worker keeps the laboratory for later, and isolates the page where the server does not: then it is loaded
 // once more.
@@ -245,24 +329,23 @@ function keepAll() {
 
 // Offers a newer laboratory, which waits until no page has the old one.
 function announceNewer(registration) {
-  const offer = () => {
+  const announce = () => {
     if (!registration.waiting || !registration.active) {
       return;
     }
-    const notice = document.getElementById("newer");
-    const load = document.getElementById("load");
-    document.getElementById("newer-text").textContent = say("newer");
-    load.textContent = say("load");
-    load.onclick = () => {
+    offer(say("newer"), say("load"), () => {
       navigator.serviceWorker.addEventListener("controllerchange", () => location.reload());
       registration.waiting.postMessage({ type: "take over" });
-    };
-    notice.hidden = false;
+    });
   };
-  offer();
-  registration.addEventListener("updatefound", () => registration.installing?.addEventListener("statechange", offer));
+  announce();
+  registration.addEventListener("updatefound", () => {
+    registration.installing?.addEventListener("statechange", announce);
+  });
 }
 
 show(say("loading"), "", 0);
 await Promise.all([store.open(), keepForLater()]);
-start(optionsOf(location.hash));
+start(await optionsOf(location.hash));
+setInterval(ping, 2000);
+window.addEventListener("hashchange", () => location.reload());

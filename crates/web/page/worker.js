@@ -26,6 +26,12 @@ self.onmessage = ({ data }) => {
         frameAt = Infinity;
         drawIn(0);
         break;
+      case "ask":
+        self.postMessage({ type: "state", number: data.number, state: studio?.state() ?? null });
+        break;
+      case "ping":
+        self.postMessage({ type: "pong" });
+        break;
       case "wake":
         drawIn(0);
         break;
@@ -47,7 +53,10 @@ async function start({ canvas, files, options, size, processors, bytes }) {
   for (const [path, bytes] of files) {
     glue.putFile(path, bytes);
   }
-  canvas.addEventListener("webglcontextlost", () => fail(new Error("WebGL")));
+  canvas.addEventListener("webglcontextlost", () => {
+    studio = null;
+    fail(new Error("WebGL"));
+  });
   studio = new glue.Studio(canvas, JSON.stringify(options));
   for (const event of size) {
     studio.tell(JSON.stringify(event));
@@ -125,8 +134,12 @@ function attempt(work) {
   }
 }
 
-// A studio that has failed once is not asked again.
+// A studio that has failed once is not asked again. One that refuses goes on.
 function fail(error) {
+  if (studio && !(error instanceof WebAssembly.RuntimeError) && !(error instanceof RangeError)) {
+    console.error(error);
+    return;
+  }
   studio = null;
   self.postMessage({ type: "fault", message: String(error?.message ?? error) });
 }

@@ -4,9 +4,9 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
-use std::sync::mpsc::{self, Sender};
+use std::sync::mpsc::{self, Receiver, Sender};
 
-use catoptric_studio::host::{FileAnswer, FileQuestion, Host};
+use catoptric_studio::host::{FileAnswer, FileQuestion, Host, HostAbilities, LinkOutcome};
 
 use crate::page::{FileRequest, PageCommand};
 
@@ -26,14 +26,16 @@ struct Questions {
     /// The number of the next one.
     next: u32,
     open: BTreeMap<u32, Sender<Option<PathBuf>>>,
-    /// Those that the page has not been told of.
-    untold: Vec<FileRequest>,
+    /// What the page has not been told of.
+    untold: Vec<PageCommand>,
+    /// Who wants to know what became of a link.
+    linking: Option<Sender<LinkOutcome>>,
 }
 
 impl PageHost {
     /// What the page is to ask.
     pub(crate) fn take_questions(&self) -> impl Iterator<Item = PageCommand> {
-        std::mem::take(&mut self.0.borrow_mut().untold).into_iter().map(PageCommand::AskFile)
+        std::mem::take(&mut self.0.borrow_mut().untold).into_iter()
     }
 
     /// The person chose this file, or none.
@@ -45,6 +47,16 @@ impl PageHost {
     }
 }
 
+impl PageHost {
+    /// This became of the link.
+    pub(crate) fn link_done(&self, outcome: LinkOutcome) {
+        if let Some(asker) = self.0.borrow_mut().linking.take() {
+            // Who asked may not care any more.
+            let _ = asker.send(outcome);
+        }
+    }
+}
+
 impl Host for PageHost {
     fn ask_file(&mut self, question: &FileQuestion) -> Option<FileAnswer> {
         let (sender, answer) = mpsc::channel();
@@ -52,13 +64,13 @@ impl Host for PageHost {
         let id = questions.next;
         questions.next += 1;
         questions.open.insert(id, sender);
-        questions.untold.push(FileRequest {
+        questions.untold.push(PageCommand::AskFile(FileRequest {
             id,
             is_saving: question.is_saving,
             title: question.title.clone(),
             name: question.name.clone(),
             extensions: question.kind.extensions(),
-        });
+        }));
         Some(answer)
     }
 
@@ -68,6 +80,18 @@ impl Host for PageHost {
 
     fn recovery_folder(&self) -> Option<PathBuf> {
         Some(Path::new(OWN_FOLDER).join("recovery"))
+    }
+
+    fn abilities(&self) -> HostAbilities {
+        HostAbilities { has_links: true, can_quit: false }
+    }
+
+    fn copy_link(&mut self, view: String) -> Option<Receiver<LinkOutcome>> {
+        let (sender, answer) = mpsc::channel();
+        let mut questions = self.0.borrow_mut();
+        questions.linking = Some(sender);
+        questions.untold.push(PageCommand::Link { view });
+        Some(answer)
     }
 
     fn home_folder(&self) -> Option<PathBuf> {

@@ -1,5 +1,6 @@
 //! What the page and the studio tell each other, as JSON.
 
+use catoptric_studio::host::LinkOutcome;
 use egui::{
     CursorIcon, Event, ImeEvent, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2,
     TouchDeviceId, TouchId, TouchPhase, Vec2,
@@ -16,8 +17,8 @@ pub(crate) struct StartOptions {
     pub(crate) language: String,
     /// A built-in example to open.
     pub(crate) example: Option<String>,
-    /// A file to open, which is in the studio's store.
-    pub(crate) file: Option<String>,
+    /// What a link holds, instead.
+    pub(crate) link: Option<String>,
 }
 
 /// What happened on the page. Places are in CSS pixels from the canvas's upper left.
@@ -58,8 +59,31 @@ pub(crate) enum PageEvent {
     Hovering { count: usize },
     /// The answer to [`PageCommand::AskFile`].
     File { id: u32, path: Option<String> },
+    /// The answer to [`PageCommand::Link`].
+    Link { outcome: LinkReport },
+    /// A command by its name, such as `edit.undo`, from a script of the page.
+    Run { command: String },
     /// The browser's colors became dark or light.
     Theme { is_dark: bool },
+}
+
+/// What became of a link.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) enum LinkReport {
+    Copied,
+    TooLong,
+    Refused,
+}
+
+impl From<LinkReport> for LinkOutcome {
+    fn from(report: LinkReport) -> Self {
+        match report {
+            LinkReport::Copied => Self::Copied,
+            LinkReport::TooLong => Self::TooLong,
+            LinkReport::Refused => Self::Refused,
+        }
+    }
 }
 
 /// The modifier keys that are held.
@@ -98,6 +122,8 @@ pub(crate) enum PageCommand {
     Title { text: String },
     /// Ask the person for a file.
     AskFile(FileRequest),
+    /// Put a link to this view of a scene into the clipboard.
+    Link { view: String },
     /// Text is typed at this place, CSS pixels, or nowhere.
     TypeAt { place: Option<[f32; 2]> },
 }
@@ -193,6 +219,8 @@ impl PageEvent {
             | Self::Dropped { .. }
             | Self::Hovering { .. }
             | Self::File { .. }
+            | Self::Link { .. }
+            | Self::Run { .. }
             | Self::Theme { .. } => Vec::new(),
         }
     }

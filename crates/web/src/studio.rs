@@ -4,9 +4,10 @@ use std::path::Path;
 use std::pin::Pin;
 use std::time::Duration;
 
+use catoptric_platform::threads::processors;
 use catoptric_platform::{files, process};
 use catoptric_studio::host::Host as _;
-use catoptric_studio::{Language, StartDocument, Studio};
+use catoptric_studio::{Command, Language, StartDocument, Studio};
 use egui::{
     Context, DroppedFile, FullOutput, HoveredFile, Modifiers, OutputCommand, RawInput, Rect, Theme, Vec2,
     ViewportCommand, ViewportId,
@@ -55,6 +56,29 @@ struct FrameReport {
     delay: Option<f64>,
 }
 
+/// How the studio stands.
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct StudioState<'a> {
+    scene: String,
+    title: &'a str,
+    is_saved: bool,
+    language: Language,
+    /// The names of what is selected.
+    selected: Vec<&'a str>,
+    /// The pixel that is audited: its column and row, and the size of its picture.
+    pixel: Option<[[u32; 2]; 2]>,
+    /// How many rays it has.
+    rays: Option<usize>,
+    /// Of the picture shown, per pixel.
+    samples: Option<u32>,
+    /// Whether the picture is finished.
+    is_idle: bool,
+    threads: usize,
+    /// Where the picture is, CSS pixels: left, top, width, height.
+    viewport: Option<[f32; 4]>,
+}
+
 /// A file that was dropped, which is in the store by now.
 #[derive(Debug)]
 struct StoredFile(std::path::PathBuf);
@@ -96,8 +120,8 @@ impl WebStudio {
         let host = PageHost::default();
         process::use_number(options.page);
         choose_language(&host, &options.language)?;
-        let start = match (options.file, options.example) {
-            (Some(path), _) => StartDocument::File(path.into()),
+        let start = match (options.link, options.example) {
+            (Some(view), _) => StartDocument::Link(view),
             (None, Some(name)) => StartDocument::Example(name),
             (None, None) => StartDocument::Last,
         };
@@ -145,6 +169,12 @@ impl WebStudio {
                 }
             }
             PageEvent::File { id, path } => self.host.answer(*id, path.as_ref().map(Into::into)),
+            PageEvent::Run { command } => {
+                let known = Command::from_name(command);
+                let known = known.ok_or_else(|| JsError::new(&format!("there is no command {command:?}")))?;
+                self.studio.run(known.clone());
+            }
+            PageEvent::Link { outcome } => self.host.link_done((*outcome).into()),
             _ => {}
         }
         self.input.events.extend(event.into_events(self.context.zoom_factor()));
@@ -180,6 +210,34 @@ impl WebStudio {
         commands.extend(self.host.take_questions());
         let delay = (delay < Duration::from_secs(3600)).then(|| delay.as_secs_f64() * 1000.0);
         Ok(serde_json::to_string(&FrameReport { commands, delay })?)
+    }
+
+    /// How the studio stands, for scripts of the page.
+    pub fn state(&self) -> Result<String, JsError> {
+        let (studio, status) = (&self.studio, self.studio.live().status());
+        let frame = studio.live().latest();
+        let state = StudioState {
+            scene: studio.editor().writing().text(),
+            title: studio.editor().title(),
+            is_saved: !studio.editor().has_unsaved_work(),
+            language: studio.settings().language,
+            selected: studio
+                .editor()
+                .selection()
+                .iter()
+                .map(|item| studio.editor().edited().name(item))
+                .collect(),
+            pixel: studio.audited_pixel(),
+            rays: studio.audit_rays(),
+            samples: frame.map(|frame| frame.samples),
+            is_idle: status.is_idle,
+            threads: processors(),
+            viewport: studio
+                .viewport_rect()
+                .map(|rect| rect * self.context.zoom_factor())
+                .map(|rect| [rect.left(), rect.top(), rect.width(), rect.height()]),
+        };
+        Ok(serde_json::to_string(&state)?)
     }
 
     /// A picture for the clipboard: width, height, and red, green, blue and opacity of every pixel; or `undefined`.

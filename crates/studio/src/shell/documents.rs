@@ -5,6 +5,7 @@
 mod autosave;
 mod banner;
 mod close_guard;
+mod link;
 mod new_scene;
 mod open;
 pub(crate) mod recent;
@@ -45,6 +46,7 @@ pub(crate) fn keep(context: &Context, studio: &mut Studio) {
     take_answer(context, studio);
     open::poll(context, studio);
     save::poll(context, studio);
+    link::poll(context, studio);
     open::take_dropped(context, studio);
     close_guard::mind_close(context, studio);
     recover::poll(context, studio);
@@ -70,6 +72,7 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, act: FileCommand) {
         FileCommand::Revert => open::revert(context, studio),
         FileCommand::Save => save::save(context, studio, None),
         FileCommand::SaveAs => save_as(studio, None),
+        FileCommand::CopyLink => link::copy(studio),
         FileCommand::Quit => close_guard::replace(context, studio, NextDocument::Quit),
         FileCommand::Examples => examples::open(studio),
     }

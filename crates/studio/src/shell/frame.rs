@@ -251,13 +251,3 @@ impl Studio {
         }
     }
 }
-
-impl eframe::App for Studio {
-    fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
-        Self::ui(self, ui);
-    }
-
-    fn on_exit(&mut self) {
-        documents::leave(self);
-    }
-}

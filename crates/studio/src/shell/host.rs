@@ -12,6 +12,8 @@ use catoptric_picture::PictureFormat;
 #[cfg(not(target_family = "wasm"))]
 pub use desktop::DesktopHost;
 
+pub use crate::state::host::HostAbilities;
+
 /// The kind of file that a person chooses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FileKind {
@@ -67,6 +69,17 @@ pub struct FileQuestion {
 /// The answer to come; `None` when the person cancelled. When it is dropped without an answer, no dialog could appear.
 pub type FileAnswer = Receiver<Option<PathBuf>>;
 
+/// What became of a link that was to be given to the person.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LinkOutcome {
+    /// It is in the clipboard.
+    Copied,
+    /// The scene is too large for an address.
+    TooLong,
+    /// The clipboard cannot be written.
+    Refused,
+}
+
 /// Puts a picture into the clipboard: width and height in pixels; red, green, blue and 255 of every pixel. It can be
 /// called from any thread; on failure it gives the reason.
 pub type PictureClipboard = fn([usize; 2], &[u8]) -> Result<(), String>;
@@ -89,6 +102,18 @@ pub trait Host {
 
     /// What puts pictures into the clipboard without the window having to wait; `None` leaves it to the window.
     fn clipboard(&self) -> Option<PictureClipboard> {
+        None
+    }
+
+    /// What the system has besides.
+    fn abilities(&self) -> HostAbilities {
+        HostAbilities::DESKTOP
+    }
+
+    /// Puts a link to this view of a scene into the clipboard; [`StartDocument::Link`](crate::StartDocument::Link) shows
+    /// it again. `None` where there are no links.
+    fn copy_link(&mut self, view: String) -> Option<Receiver<LinkOutcome>> {
+        drop(view);
         None
     }
 

@@ -152,7 +152,11 @@ fn entries_ui(
     mut focus: Option<&mut MenuFocus>,
 ) {
     ui.set_min_width(230.0);
-    for entry in entries {
+    let is_offered = |entry: &MenuItem| match entry {
+        MenuItem::Do(command) => studio.situation().is_offered(command),
+        MenuItem::Line | MenuItem::Sub(..) => true,
+    };
+    for entry in entries.into_iter().filter(is_offered) {
         let is_submenu = matches!(entry, MenuItem::Sub(..));
         let response = match entry {
             MenuItem::Do(command) => {
@@ -190,7 +194,12 @@ fn file() -> Vec<MenuItem> {
     entries.push(MenuItem::Sub("menu-recent", icons::ICON_HISTORY, recent_ui));
     entries.push(MenuItem::Sub("menu-examples", icons::ICON_PHOTO_LIBRARY, examples_ui));
     entries.push(MenuItem::Line);
-    entries.extend(commands_of([FileCommand::Save, FileCommand::SaveAs, FileCommand::Revert]));
+    entries.extend(commands_of([
+        FileCommand::Save,
+        FileCommand::SaveAs,
+        FileCommand::Revert,
+        FileCommand::CopyLink,
+    ]));
     entries.push(MenuItem::Line);
     entries.extend(commands_of([PictureCommand::Render, PictureCommand::RenderShown, PictureCommand::Copy]));
     entries.push(MenuItem::Line);

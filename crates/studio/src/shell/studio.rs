@@ -98,6 +98,8 @@ pub enum StartDocument {
     File(std::path::PathBuf),
     /// A built-in example, by name.
     Example(String),
+    /// What a [link](crate::host::Host::copy_link) holds.
+    Link(String),
 }
 
 impl Studio {
@@ -240,6 +242,7 @@ impl Studio {
             exact: &self.exact,
             live: &self.live,
             card: &self.card,
+            host: self.host.abilities(),
             example_note: self.panes.example_note.is_open(),
             layout: Some(&self.layout),
         }

@@ -1,5 +1,7 @@
 //! The window on the desktop.
 
+mod card;
+mod fault;
 mod losses;
 mod software;
 
@@ -14,11 +16,12 @@ use egui::{
 };
 
 use crate::shell::documents;
-use crate::shell::failure::{PanicFilter, StudioError, of_eframe};
+use crate::shell::failure::StudioError;
 use crate::shell::host::{DesktopHost, Host as _};
 use crate::shell::interruption::Interruption;
 use crate::shell::studio::{StartDocument, Studio};
 use crate::state::settings::Settings;
+use fault::{PanicFilter, of_eframe};
 use losses::DeviceLosses;
 
 /// Makes the device that draws the window fail: for tests, which cannot wait for a driver to do so.
@@ -206,6 +209,17 @@ impl eframe::App for WindowApp<'_> {
         if !self.is_lost() || documents::is_leaving(self.studio) {
             documents::leave(self.studio);
         }
+    }
+}
+
+/// The studio as an app, for windows of others.
+impl eframe::App for Studio {
+    fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
+        Self::ui(self, ui);
+    }
+
+    fn on_exit(&mut self) {
+        documents::leave(self);
     }
 }
 

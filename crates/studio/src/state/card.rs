@@ -5,15 +5,23 @@ use std::sync::{Arc, Weak};
 use catoptric_gpu::{Gpu, GpuError, GpuPicture};
 use catoptric_live::Live;
 use catoptric_tracer::shaders::UnsupportedOnGpu;
-use eframe::egui_wgpu::RenderState;
 use egui::TextureId;
 
 use crate::base::texts::Texts;
 
+/// What makes pictures on a card textures of the window that it draws.
+pub(crate) trait WindowTextures {
+    /// Makes a picture a texture; `smooth` where it is stretched.
+    fn register(&mut self, picture: &GpuPicture, smooth: bool) -> TextureId;
+
+    /// Forgets a texture.
+    fn free(&mut self, id: TextureId);
+}
+
 /// The graphics card of the window, if it can trace.
 #[derive(Default)]
 pub(crate) struct WindowCard {
-    window: Option<(RenderState, Arc<Gpu>)>,
+    window: Option<(Box<dyn WindowTextures>, Arc<Gpu>)>,
     /// Whether it is to draw.
     is_on: bool,
     /// The loss that was reported.
@@ -24,7 +32,7 @@ pub(crate) struct WindowCard {
 /// A picture that is registered as a texture of the window.
 struct WindowTexture {
     picture: Weak<GpuPicture>,
-    filter: wgpu::FilterMode,
+    smooth: bool,
     id: TextureId,
 }
 
@@ -41,28 +49,26 @@ impl WindowCard {
 
     /// What the window knows a picture by; pictures that are gone are forgotten. `smooth` where it is stretched.
     pub(crate) fn texture(&mut self, picture: &Arc<GpuPicture>, smooth: bool) -> Option<TextureId> {
-        let (state, gpu) = self.window.as_ref()?;
+        let (window, gpu) = self.window.as_mut()?;
         if !picture.is_on(gpu) {
             // It was drawn for a window that is gone.
             return None;
         }
-        let filter = if smooth { wgpu::FilterMode::Linear } else { wgpu::FilterMode::Nearest };
-        let mut renderer = state.renderer.write();
         self.textures.retain(|texture| {
             let is_alive = texture.picture.strong_count() > 0;
             if !is_alive {
-                renderer.free_texture(&texture.id);
+                window.free(texture.id);
             }
             is_alive
         });
         let is_it = |texture: &&WindowTexture| {
-            std::ptr::eq(texture.picture.as_ptr(), Arc::as_ptr(picture)) && texture.filter == filter
+            std::ptr::eq(texture.picture.as_ptr(), Arc::as_ptr(picture)) && texture.smooth == smooth
         };
         if let Some(known) = self.textures.iter().find(is_it) {
             return Some(known.id);
         }
-        let id = renderer.register_native_texture(&state.device, picture.view(), filter);
-        self.textures.push(WindowTexture { picture: Arc::downgrade(picture), filter, id });
+        let id = window.register(picture, smooth);
+        self.textures.push(WindowTexture { picture: Arc::downgrade(picture), smooth, id });
         Some(id)
     }
 
@@ -80,8 +86,8 @@ impl WindowCard {
     }
 
     /// Takes the graphics card of a window, if it can trace.
-    pub(crate) fn enter_window(&mut self, state: &RenderState, gpu: Result<Gpu, GpuError>) {
-        self.window = gpu.ok().map(|gpu| (state.clone(), Arc::new(gpu)));
+    pub(crate) fn enter_window(&mut self, window: Box<dyn WindowTextures>, gpu: Result<Gpu, GpuError>) {
+        self.window = gpu.ok().map(|gpu| (window, Arc::new(gpu)));
     }
 
     /// Takes note of a loss. Returns it the first time, when the card no longer draws.

@@ -68,6 +68,8 @@ pub enum FileCommand {
     Save,
     /// Ask for a file and write the scene to it.
     SaveAs,
+    /// Give the person a link to what is shown.
+    CopyLink,
     /// Close the window.
     Quit,
 }

@@ -13,6 +13,7 @@ use crate::state::command::{
 };
 use crate::state::context::Cx;
 use crate::state::exact::ExactState;
+use crate::state::host::HostAbilities;
 use crate::state::layout::{self, Pane};
 use crate::state::maps::MapState;
 use crate::state::methods;
@@ -33,6 +34,7 @@ pub(crate) struct CommandContext<'a> {
     pub(crate) exact: &'a ExactState,
     pub(crate) live: &'a Live,
     pub(crate) card: &'a WindowCard,
+    pub(crate) host: HostAbilities,
     /// Whether the note about the example is open; `None` without an example, and while the panels are being drawn.
     pub(crate) example_note: Option<bool>,
     /// The panels; `None` while they are being drawn.
@@ -61,6 +63,8 @@ impl Cx<'_> {
             exact: self.exact,
             live: self.live,
             card: self.card,
+            // What is offered otherwise elsewhere stands in no panel.
+            host: HostAbilities::DESKTOP,
             example_note: None,
             layout: None,
         }
@@ -110,6 +114,14 @@ impl CommandContext<'_> {
         }
     }
 
+    /// Whether a command is offered at all, possible or not.
+    pub(crate) fn is_offered(&self, command: &Command) -> bool {
+        match command {
+            Command::File(act @ (FileCommand::CopyLink | FileCommand::Quit)) => self.can_file(act),
+            _ => true,
+        }
+    }
+
     fn can_file(&self, act: &FileCommand) -> bool {
         match act {
             FileCommand::Revert => self.editor.path().is_some(),
@@ -119,8 +131,9 @@ impl CommandContext<'_> {
             | FileCommand::Examples
             | FileCommand::OpenExample(_)
             | FileCommand::Save
-            | FileCommand::SaveAs
-            | FileCommand::Quit => true,
+            | FileCommand::SaveAs => true,
+            FileCommand::CopyLink => self.host.has_links,
+            FileCommand::Quit => self.host.can_quit,
         }
     }
 

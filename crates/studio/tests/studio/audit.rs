@@ -420,3 +420,25 @@ fn panes(count: usize) -> catoptric_scene::Scene {
     (scene.tracing.generations, scene.tracing.threshold) = (15, 0.0);
     scene
 }
+
+#[test]
+fn links_bring_the_pixel_along() {
+    let mut audit = Auditor::new();
+    let links = std::sync::Arc::<std::sync::Mutex<Vec<String>>>::default();
+    audit.host.links = Some(std::sync::Arc::clone(&links));
+    let mut harness = studio_with(audit.host.clone(), StartDocument::Example("whitted".to_owned()));
+    harness.set_size(Vec2::new(1500.0, 1500.0));
+    harness.run_steps(2);
+    audit.harness = harness;
+    audit.run(Command::Audit(AuditCommand::Tool));
+    audit.wait_for_picture();
+    let place = audit.visible_place(0.5, 0.5);
+    audit.pin(place);
+    let pixel = audit.harness.state().audited_pixel().unwrap();
+    audit.run(catoptric_studio::FileCommand::CopyLink);
+    let view = links.lock().unwrap().pop().unwrap();
+    let mut other = studio_with(TestHost::new(), StartDocument::Link(view));
+    wait_until(&mut other, "the audit", |studio| studio.audit_rays().is_some());
+    assert_eq!(other.state().audited_pixel(), Some(pixel));
+    assert_eq!(other.state().audit_rays(), audit.harness.state().audit_rays());
+}

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use catoptric_editor::Item;
 use catoptric_scene::ScenePart;
-use catoptric_studio::host::{FileAnswer, FileQuestion, Host, PictureClipboard};
+use catoptric_studio::host::{FileAnswer, FileQuestion, Host, HostAbilities, LinkOutcome, PictureClipboard};
 use catoptric_studio::{StartDocument, Studio};
 use egui_kittest::{Harness, HarnessBuilder};
 use tempfile::TempDir;
@@ -25,6 +25,8 @@ pub(crate) struct TestHost {
     pub(crate) free_memory: Arc<Mutex<Option<u64>>>,
     /// Without one, the window copies.
     pub(crate) clipboard: Option<PictureClipboard>,
+    /// The views that links were asked for, where there are links.
+    pub(crate) links: Option<Arc<Mutex<Vec<String>>>>,
 }
 
 impl TestHost {
@@ -43,6 +45,7 @@ impl TestHost {
             questions: Arc::default(),
             free_memory: Arc::default(),
             clipboard: None,
+            links: None,
         }
     }
 
@@ -72,6 +75,17 @@ impl Host for TestHost {
 
     fn recovery_folder(&self) -> Option<PathBuf> {
         Some(self.path("recovery"))
+    }
+
+    fn abilities(&self) -> HostAbilities {
+        HostAbilities { has_links: self.links.is_some(), ..HostAbilities::DESKTOP }
+    }
+
+    fn copy_link(&mut self, view: String) -> Option<mpsc::Receiver<LinkOutcome>> {
+        self.links.as_ref()?.lock().unwrap().push(view);
+        let (sender, receiver) = mpsc::channel();
+        sender.send(LinkOutcome::Copied).unwrap();
+        Some(receiver)
     }
 
     fn clipboard(&self) -> Option<PictureClipboard> {

@@ -79,6 +79,11 @@ partial-text = What could not be read is missing from the scene. Replacing the f
 
 # What cannot be opened
 open-failed = The scene cannot be opened
+link-copied = The link is in the clipboard.
+link-too-long = The scene is too large for a link. Save it as a file, and pass that on.
+link-refused = The clipboard cannot be written, so that the link was not copied.
+link-without-pictures = The link does not hold the pictures that the scene names.
+link-damaged = The link is damaged: perhaps a part of it was cut off. Ask for it again.
 read-missing = There is no file { $path }. Perhaps it was moved or renamed; open it from its new place.
 read-denied = You have no right to read { $path }. Change the rights of the file, or open another one.
 read-folder = { $path } is a folder. Choose a scene file in it.

@@ -6,7 +6,7 @@ use catoptric_platform::files;
 use catoptric_scene::Example;
 use egui::Context;
 
-use super::{open, show_example, show_fresh, show_opened};
+use super::{link, open, show_example, show_fresh, show_opened};
 use crate::shell::disk::{self, ReadFailure};
 use crate::shell::interruption::Interruption;
 use crate::shell::studio::autosave::Autosave;
@@ -34,6 +34,11 @@ pub(crate) fn start(
     }
     match start {
         StartDocument::Example(name) => show_named(studio, name),
+        StartDocument::Link(view) => {
+            if !link::open(studio, view) {
+                show_named(studio, FIRST);
+            }
+        }
         StartDocument::File(path) => show_file(context, studio, path, false),
         StartDocument::Last => match studio.settings.last.clone() {
             Some(LastScene::File(path)) => show_file(context, studio, &path, true),

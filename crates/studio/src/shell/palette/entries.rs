@@ -49,8 +49,9 @@ fn commands(context: &Context, situation: CommandContext<'_>) -> Vec<PaletteItem
         .filter(|language| *language != situation.texts.language())
         .map(Texts::new)
         .collect();
-    let entries =
-        Command::all().filter(|command| **command != WindowCommand::Palette.into()).filter_map(|command| {
+    let entries = Command::all()
+        .filter(|command| **command != WindowCommand::Palette.into() && situation.is_offered(command))
+        .filter_map(|command| {
             let look = command.look()?;
             let name = situation.label(command);
             let mut names = vec![name.clone(), situation.texts.get(look.key).to_owned()];

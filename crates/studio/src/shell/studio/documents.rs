@@ -4,6 +4,7 @@ use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::rc::{Rc, Weak};
 use std::sync::Arc;
+use std::sync::mpsc::Receiver;
 
 use catoptric_editor::SceneWriter;
 use catoptric_platform::time::Instant;
@@ -15,6 +16,7 @@ use super::recovery::{RecoveredDocument, RecoveryJob};
 use super::watch::ExternalChanges;
 use crate::base::job::Job;
 use crate::shell::disk::{OpenedScene, OverwriteRule, ReadFailure, SavedFile, WriteFailure};
+use crate::shell::host::LinkOutcome;
 use crate::shell::interruption::Interruption;
 use crate::state::settings::Settings;
 
@@ -42,6 +44,8 @@ pub(crate) struct Documents {
     /// To be saved when the present saving is done.
     pub(crate) next_saving: Option<SceneSaveRequest>,
     pub(crate) prompt: Option<(FilePrompt, FilePurpose)>,
+    /// The answer to come about a link.
+    pub(crate) linking: Option<Receiver<LinkOutcome>>,
     /// Lives as long as the question whether to save changes is open.
     pub(crate) asked_to_save: Weak<()>,
     /// Whether the window may close.

@@ -76,6 +76,7 @@ pub(super) static ROWS: &[CommandRow] = rows! {
         "file.save": File(FileCommand::Save) => "command-save", ICON_SAVE, ctrl(Key::S);
         "file.save-as": File(FileCommand::SaveAs) => "command-save-as", ICON_SAVE_AS, ctrl_shift(Key::S);
         "file.revert": File(FileCommand::Revert) => "command-revert", ICON_SETTINGS_BACKUP_RESTORE;
+        "file.copy-link": File(FileCommand::CopyLink) => "command-copy-link", ICON_LINK;
         "picture.render": Picture(PictureCommand::Render) => "command-render", ICON_PHOTO_CAMERA, ctrl(Key::R), plain(Key::F12);
         "picture.render-shown": Picture(PictureCommand::RenderShown) => "command-render-shown", ICON_SAVE_AS;
         "picture.copy": Picture(PictureCommand::Copy) => "command-copy-picture", ICON_IMAGE, ctrl_shift(Key::C);

@@ -1,0 +1,15 @@
+//! What the system around the studio has.
+
+/// What the system has besides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct HostAbilities {
+    /// Whether the studio can be reached by links.
+    pub has_links: bool,
+    /// Whether the studio can close its window.
+    pub can_quit: bool,
+}
+
+impl HostAbilities {
+    /// Those of a desktop.
+    pub const DESKTOP: Self = Self { has_links: false, can_quit: true };
+}
