@@ -12,7 +12,9 @@ use crate::kit::{TestHost, item_at, studio_with, wait_until};
 
 fn host_with_links() -> (TestHost, Arc<Mutex<Vec<String>>>) {
     let links = Arc::<Mutex<Vec<String>>>::default();
-    (TestHost { links: Some(Arc::clone(&links)), ..TestHost::new() }, links)
+    let mut host = TestHost::new();
+    host.links = Some(Arc::clone(&links));
+    (host, links)
 }
 
 #[test]
