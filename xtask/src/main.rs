@@ -2,6 +2,7 @@
 
 mod ci;
 mod dist;
+mod icons;
 #[cfg(test)]
 mod layers;
 mod licenses;
@@ -23,6 +24,7 @@ Usage: cargo xtask COMMAND
   ci --long    The same, and cargo deny
   dist         Make an archive of the program for Linux
   dist --try   The same, and try it on a bare Debian system (as root, with debootstrap)
+  icons        Make the font of the icons that the studio uses anew (with pyftsubset)
   web          Make the studio for browsers: static files in target/web
   help         List the other commands, those of the workbench: measurements, pictures of the documents
 ";
@@ -36,8 +38,9 @@ fn main() -> Result<()> {
         ["ci", "--long"] => ci::run(ci::Extent::Long)?,
         ["dist"] => dist::run(false)?,
         ["dist", "--try"] => dist::run(true)?,
+        ["icons"] => icons::run()?,
         ["web"] => web()?,
-        ["ci" | "dist" | "web", ..] => bail!("wrong arguments: {}\n\n{HELP}", words.join(" ")),
+        ["ci" | "dist" | "icons" | "web", ..] => bail!("wrong arguments: {}\n\n{HELP}", words.join(" ")),
         _ => workbench(&words)?,
     }
     Ok(())

@@ -10,7 +10,7 @@ use anyhow::{Context as _, Result, bail};
 use wasm_bindgen_cli_support::Bindgen;
 
 use xtask::root;
-use xtask::shell::{self, command, exists, output};
+use xtask::shell::{self, command, output};
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
@@ -111,15 +111,29 @@ fn target_folder() -> Result<PathBuf> {
     Ok(after.split('"').next().unwrap_or_default().into())
 }
 
-/// Lets Binaryen make the program smaller and quicker, where it is installed.
+/// Lets Binaryen make the program smaller and quicker, where it can be had.
 fn make_small(program: &Path) -> Result<()> {
-    if !exists("wasm-opt", "--version") {
-        println!("skipped: optimization by Binaryen: wasm-opt is not installed (apt-get install binaryen)");
+    let Some(tools) = tools() else {
+        println!("skipped: optimization by Binaryen: there is no npm to install it with");
         return Ok(());
-    }
-    let mut optimize = Command::new("wasm-opt");
-    optimize.args(["-O3", "--all-features"]).arg(program).arg("-o").arg(program);
+    };
+    let mut optimize = Command::new(tools.join("node_modules/.bin/wasm-opt"));
+    optimize.args(["-O3", "--converge", "--all-features"]).arg(program).arg("-o").arg(program);
     shell::run(&mut optimize)
+}
+
+/// The folder of the tools that npm installs for this repository; `None` without npm.
+fn tools() -> Option<PathBuf> {
+    /// With their versions.
+    const PACKAGES: [&str; 2] = ["binaryen@132.0.0", "playwright-core@1.65.1"];
+    let folder = root().join("target/web-tools");
+    if !folder.join("node_modules/.bin/wasm-opt").exists() {
+        fs::create_dir_all(&folder).ok()?;
+        fs::write(folder.join("package.json"), "{}\n").ok()?;
+        let mut install = command("npm", &["install", "--silent", "--no-audit", "--no-fund"]);
+        shell::run(install.args(PACKAGES).current_dir(&folder)).ok()?;
+    }
+    Some(folder)
 }
 
 fn copy_page(folder: &Path) -> Result<()> {

@@ -2,8 +2,9 @@
 
 // Keys of the browser that the studio leaves to it, whatever is held with them.
 const BROWSERS_KEYS = new Set(["F5", "F11", "F12"]);
-// With Ctrl or Cmd: reload, tabs and windows, the address, and what ends in events of the clipboard.
-const BROWSERS_LETTERS = new Set(["r", "t", "w", "n", "l", "c", "x", "v"]);
+// With Ctrl or Cmd: reload, tabs and windows, the address. The clipboard has events of its own.
+const BROWSERS_LETTERS = new Set(["r", "t", "w", "n", "l"]);
+const CLIPBOARD_LETTERS = new Set(["c", "x", "v"]);
 
 function keysOf(event) {
   return { alt: event.altKey, ctrl: event.ctrlKey, shift: event.shiftKey, meta: event.metaKey };
@@ -93,16 +94,17 @@ function listenToKeys(canvas, typing, on, tell) {
       return;
     }
     const hasCommand = event.ctrlKey || event.metaKey;
-    if (BROWSERS_KEYS.has(event.key)) {
+    const letter = hasCommand ? letterOf(event) : "";
+    const isClipboards = CLIPBOARD_LETTERS.has(letter) && !event.shiftKey && !event.altKey;
+    if (BROWSERS_KEYS.has(event.key) || BROWSERS_LETTERS.has(letter) || isClipboards) {
       return;
     }
     tell({ type: "key", key: event.key, code: event.code, pressed: true, keys: keysOf(event) });
     if (!hasCommand && !isTyping() && [...event.key].length === 1) {
       tell({ type: "text", text: event.key });
     }
-    const isBrowsers = hasCommand && BROWSERS_LETTERS.has(letterOf(event));
     const isText = isTyping() && !hasCommand && ([...event.key].length === 1 || event.key === "Dead");
-    if (!isBrowsers && !isText) {
+    if (!isText) {
       event.preventDefault();
     }
   });

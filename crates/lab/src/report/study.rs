@@ -43,6 +43,8 @@ const SHARPNESS: f32 = 2.0;
 /// `time.svg` and `time.png`, two more for each question, for generations `rays.svg` and `rays.png` in any case,
 /// `report.md` and `report.tex`.
 ///
+/// Plots as pixels are left out where the library is built without `plots`.
+///
 /// The CSV files are the same in every language: decimal points and English heads.
 ///
 /// # Errors
@@ -55,7 +57,9 @@ pub fn study(measured: &Measurement, language: Language) -> Result<MeasurementRe
     ];
     for figure in chapter.figures() {
         let (stem, svg) = (figure.file_stem(), chapter.figure_plot(figure).svg());
-        files.push((format!("{stem}.png"), png(&svg)?));
+        if cfg!(feature = "plots") {
+            files.push((format!("{stem}.png"), png(&svg)?));
+        }
         files.push((format!("{stem}.svg"), svg.into_bytes()));
     }
     files.push(("report.md".to_owned(), chapter.markdown().into_bytes()));

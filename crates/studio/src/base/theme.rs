@@ -1,9 +1,12 @@
 //! The theme: colors, fonts, spacing. It is calm, so that the picture is the brightest thing.
 
-use egui::{
-    Color32, CornerRadius, FontId, Margin, Shadow, Stroke, Style, TextStyle, ThemePreference, Visuals, vec2,
-};
+use std::sync::Arc;
 
+use egui::{
+    Color32, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, Margin, Shadow, Stroke, Style,
+    TextStyle, ThemePreference, Visuals, vec2,
+};
+use egui_material_icons::{FONT_FAMILY, FONT_FAMILY_OUTLINED};
 use serde::{Deserialize, Serialize};
 
 /// The theme of the window.
@@ -89,15 +92,27 @@ pub(crate) fn palette(visuals: &Visuals) -> &'static ThemeColors {
 
 /// Gives the window its fonts and both themes; once, at the start.
 pub(crate) fn install(context: &egui::Context) {
-    let mut fonts = egui::FontDefinitions::default();
-    if let Some(proportional) = fonts.families.get_mut(&egui::FontFamily::Proportional) {
+    let mut fonts = FontDefinitions::default();
+    if let Some(proportional) = fonts.families.get_mut(&FontFamily::Proportional) {
         // It has arrows and signs of mathematics that the others lack.
         proportional.push("Hack".to_owned());
     }
+    add_icons(&mut fonts);
     context.set_fonts(fonts);
-    egui_material_icons::initialize(context);
     context.style_mut_of(egui::Theme::Dark, |style| dress(style, &DARK));
     context.style_mut_of(egui::Theme::Light, |style| dress(style, &LIGHT));
+}
+
+/// Adds the icons, which stand in a font of their own and behind the letters of the others. `cargo xtask icons` makes it of
+/// those in use: the whole font is larger than the tracer.
+fn add_icons(fonts: &mut FontDefinitions) {
+    let mut icons = FontData::from_static(include_bytes!("../../assets/icons.ttf"));
+    icons.tweak.y_offset_factor = 0.05;
+    fonts.font_data.insert(FONT_FAMILY.to_owned(), Arc::new(icons));
+    let own = [FONT_FAMILY, FONT_FAMILY_OUTLINED].map(|name| FontFamily::Name(name.into()));
+    for family in own.into_iter().chain([FontFamily::Proportional]) {
+        fonts.families.entry(family).or_default().push(FONT_FAMILY.to_owned());
+    }
 }
 
 /// Switches the theme.

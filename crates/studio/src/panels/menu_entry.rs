@@ -38,7 +38,7 @@ pub(crate) fn item_response(
         (Some(false), true) => icons::ICON_RADIO_BUTTON_UNCHECKED,
     };
     let mut button = Button::new((icon.rich_text(), name.as_str()));
-    if let Some(shortcut) = look.shortcuts.first() {
+    if let Some(shortcut) = look.usable_shortcuts().next() {
         button = button.shortcut_text(format!("    {}", shortcut_text::text(ui.ctx(), shortcut)));
     }
     let mut response = ui.add_enabled(situation.can(command), button).accessible_name(name);

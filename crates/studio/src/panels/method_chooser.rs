@@ -54,8 +54,9 @@ pub(crate) fn methods_ui(ui: &mut Ui, texts: &Texts, methods: &mut MethodSetting
             if response.on_hover_text(texts.tip(key).unwrap_or_default()).clicked() {
                 methods.choose(kind);
             }
-            let shortcut =
-                Command::from(DisplayCommand::Method(kind)).look().and_then(|look| look.shortcuts.first());
+            let shortcut = Command::from(DisplayCommand::Method(kind))
+                .look()
+                .and_then(|look| look.usable_shortcuts().next());
             if let Some(shortcut) = shortcut.filter(|_| with_keys) {
                 let weak = theme::palette(ui.visuals()).weak;
                 ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {

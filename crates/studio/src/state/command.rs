@@ -10,7 +10,7 @@ use catoptric_lab::maps::MapKind;
 use catoptric_live::DisplayContent;
 use catoptric_scene::ShapeKind;
 use catoptric_tracer::raster::MethodKind;
-use egui::KeyboardShortcut;
+use egui::{Key, KeyboardShortcut};
 use egui_material_icons::MaterialIcon;
 
 use crate::base::texts::Language;
@@ -333,6 +333,22 @@ pub struct CommandStyle {
     pub group: CommandGroup,
     /// The command's shortcuts, the usual one first.
     pub shortcuts: &'static [KeyboardShortcut],
+}
+
+impl CommandStyle {
+    /// The shortcuts that the system leaves to the studio, the main one first.
+    pub(crate) fn usable_shortcuts(&self) -> impl Iterator<Item = &'static KeyboardShortcut> {
+        self.shortcuts.iter().filter(|shortcut| !cfg!(target_family = "wasm") || !is_of_browsers(shortcut))
+    }
+}
+
+/// Whether browsers keep a shortcut for themselves: reload, tabs and windows, the address, the tools of developers.
+fn is_of_browsers(shortcut: &KeyboardShortcut) -> bool {
+    match shortcut.logical_key {
+        Key::F5 | Key::F11 | Key::F12 => true,
+        Key::L | Key::N | Key::R | Key::T | Key::W => shortcut.modifiers.command,
+        _ => false,
+    }
 }
 
 impl Command {

@@ -181,7 +181,7 @@ fn command_button(ui: &mut Ui, cx: &mut Cx<'_>, command: impl Into<Command>) {
     let situation = cx.situation();
     let name = situation.label(&command);
     let mut tip = name.clone();
-    if let Some(shortcut) = look.shortcuts.first() {
+    if let Some(shortcut) = look.usable_shortcuts().next() {
         tip = format!("{tip} ({})", shortcut_text::text(ui.ctx(), shortcut));
     }
     if let Some(explained) = situation.tip(&command) {

@@ -41,7 +41,7 @@ pub(super) fn list_ui(ui: &mut Ui, texts: &Texts) {
         for command in Command::all() {
             let Some(look) = command.look().filter(|look| look.group == group) else { continue };
             let keys: Vec<String> =
-                look.shortcuts.iter().map(|shortcut| shortcut_text::text(ui.ctx(), shortcut)).collect();
+                look.usable_shortcuts().map(|shortcut| shortcut_text::text(ui.ctx(), shortcut)).collect();
             let response = line_ui(ui, texts.get(look.key), &keys);
             if let Some(tip) = texts.tip(look.key) {
                 response.on_hover_text(tip);

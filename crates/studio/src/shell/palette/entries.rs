@@ -56,7 +56,8 @@ fn commands(context: &Context, situation: CommandContext<'_>) -> Vec<PaletteItem
             let name = situation.label(command);
             let mut names = vec![name.clone(), situation.texts.get(look.key).to_owned()];
             names.extend(others.iter().map(|texts| texts.get(look.key).to_owned()));
-            let shortcut = look.shortcuts.first().map(|shortcut| shortcut_text::text(context, shortcut));
+            let shortcut =
+                look.usable_shortcuts().next().map(|shortcut| shortcut_text::text(context, shortcut));
             Some(PaletteItem {
                 name,
                 names,
