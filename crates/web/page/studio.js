@@ -52,7 +52,7 @@ function showFailure(message, detail) {
 
 async function optionsOf(fragment) {
   const parameters = new URLSearchParams(fragment.replace(/^#/, ""));
-  const options = { language, page: store.page };
+  const options = usualOptions();
   if (parameters.has("view")) {
     options.link = await viewIn(parameters.get("view"));
   } else if (parameters.has("example")) {
@@ -61,9 +61,12 @@ async function optionsOf(fragment) {
   return options;
 }
 
+// On somebody's page the picture stands alone, with a button to the laboratory.
+const isEmbedded = new URLSearchParams(location.search).has("embed");
+
 // The studio as it is started anew: with what it had last.
 function usualOptions() {
-  return { language, page: store.page };
+  return { language, page: store.page, isEmbedded };
 }
 
 function start(options) {
@@ -162,6 +165,7 @@ function hear(studio, message, worker) {
       if (!studio.isShown) {
         studio.isShown = true;
         cover.hidden = true;
+        showOpener();
         studio.heardAt = performance.now();
         performance.mark("first frame");
         keepAll();
@@ -262,6 +266,13 @@ function hearAgain(studio) {
     withdraw();
   }
   studio.heardAt = performance.now();
+}
+
+function showOpener() {
+  const opener = document.getElementById("opener");
+  opener.hidden = !isEmbedded;
+  opener.textContent = say("open");
+  opener.href = `studio.html${location.hash}`;
 }
 
 // Shows a notice with a button that does something.

@@ -14,11 +14,15 @@ use crate::page::{FileRequest, PageCommand};
 const OWN_FOLDER: &str = "/catoptric";
 
 /// The folder of the person's files. What is written there is given to the person.
-const PERSONS_FOLDER: &str = "/files";
+pub(crate) const PERSONS_FOLDER: &str = "/files";
 
 /// The page as the studio's host. Clones are the same one.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct PageHost(Rc<RefCell<Questions>>);
+pub(crate) struct PageHost {
+    /// Whether the picture stands alone on somebody's page: nothing is kept then.
+    pub(crate) is_embedded: bool,
+    questions: Rc<RefCell<Questions>>,
+}
 
 /// The questions that the person has not answered yet.
 #[derive(Debug, Default)]
@@ -35,12 +39,12 @@ struct Questions {
 impl PageHost {
     /// What the page is to ask.
     pub(crate) fn take_questions(&self) -> impl Iterator<Item = PageCommand> {
-        std::mem::take(&mut self.0.borrow_mut().untold).into_iter()
+        std::mem::take(&mut self.questions.borrow_mut().untold).into_iter()
     }
 
     /// The person chose this file, or none.
     pub(crate) fn answer(&self, id: u32, path: Option<PathBuf>) {
-        if let Some(asker) = self.0.borrow_mut().open.remove(&id) {
+        if let Some(asker) = self.questions.borrow_mut().open.remove(&id) {
             // Who asked may not care any more.
             let _ = asker.send(path);
         }
@@ -50,7 +54,7 @@ impl PageHost {
 impl PageHost {
     /// This became of the link.
     pub(crate) fn link_done(&self, outcome: LinkOutcome) {
-        if let Some(asker) = self.0.borrow_mut().linking.take() {
+        if let Some(asker) = self.questions.borrow_mut().linking.take() {
             // Who asked may not care any more.
             let _ = asker.send(outcome);
         }
@@ -60,7 +64,7 @@ impl PageHost {
 impl Host for PageHost {
     fn ask_file(&mut self, question: &FileQuestion) -> Option<FileAnswer> {
         let (sender, answer) = mpsc::channel();
-        let mut questions = self.0.borrow_mut();
+        let mut questions = self.questions.borrow_mut();
         let id = questions.next;
         questions.next += 1;
         questions.open.insert(id, sender);
@@ -75,20 +79,20 @@ impl Host for PageHost {
     }
 
     fn settings_path(&self) -> Option<PathBuf> {
-        Some(Path::new(OWN_FOLDER).join("settings.json"))
+        (!self.is_embedded).then(|| Path::new(OWN_FOLDER).join("settings.json"))
     }
 
     fn recovery_folder(&self) -> Option<PathBuf> {
-        Some(Path::new(OWN_FOLDER).join("recovery"))
+        (!self.is_embedded).then(|| Path::new(OWN_FOLDER).join("recovery"))
     }
 
     fn abilities(&self) -> HostAbilities {
-        HostAbilities { has_links: true, can_quit: false }
+        HostAbilities { has_links: true, can_quit: false, comes_back: !self.is_embedded }
     }
 
     fn copy_link(&mut self, view: String) -> Option<Receiver<LinkOutcome>> {
         let (sender, answer) = mpsc::channel();
-        let mut questions = self.0.borrow_mut();
+        let mut questions = self.questions.borrow_mut();
         questions.linking = Some(sender);
         questions.untold.push(PageCommand::Link { view });
         Some(answer)

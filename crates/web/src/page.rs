@@ -15,6 +15,8 @@ pub(crate) struct StartOptions {
     pub(crate) page: u32,
     /// The language that the browser asks for, such as `ru-RU`.
     pub(crate) language: String,
+    /// Whether the picture stands alone on somebody's page.
+    pub(crate) is_embedded: bool,
     /// A built-in example to open.
     pub(crate) example: Option<String>,
     /// What a link holds, instead.

@@ -17,7 +17,7 @@ use serde::Serialize;
 use wasm_bindgen::prelude::*;
 use web_sys::OffscreenCanvas;
 
-use crate::host::PageHost;
+use crate::host::{PERSONS_FOLDER, PageHost};
 use crate::page::{PageCommand, PageEvent, StartOptions, css_cursor};
 use crate::painter::CanvasPainter;
 use crate::threads;
@@ -63,6 +63,8 @@ struct StudioState<'a> {
     scene: String,
     title: &'a str,
     is_saved: bool,
+    /// Whether a crash would lose nothing.
+    is_kept: bool,
     language: Language,
     /// The names of what is selected.
     selected: Vec<&'a str>,
@@ -117,8 +119,9 @@ impl WebStudio {
     pub fn new(canvas: OffscreenCanvas, options: &str) -> Result<Self, JsError> {
         let options: StartOptions = serde_json::from_str(options)?;
         let painter = CanvasPainter::new(canvas).map_err(|reason| JsError::new(&reason))?;
-        let host = PageHost::default();
+        let host = PageHost { is_embedded: options.is_embedded, ..PageHost::default() };
         process::use_number(options.page);
+        files::create_folders(Path::new(PERSONS_FOLDER))?;
         choose_language(&host, &options.language)?;
         let start = match (options.link, options.example) {
             (Some(view), _) => StartDocument::Link(view),
@@ -127,7 +130,10 @@ impl WebStudio {
         };
         let context = Context::default();
         context.set_request_repaint_callback(|_| threads::wake());
-        let studio = Studio::new(&context, &start, Box::new(host.clone()))?;
+        let mut studio = Studio::new(&context, &start, Box::new(host.clone()))?;
+        if options.is_embedded {
+            studio.show_picture_alone();
+        }
         let input = RawInput { max_texture_side: Some(painter.max_texture_side()), ..RawInput::default() };
         let (size, ratio, told, images) = (Vec2::new(1.0, 1.0), 1.0, Told::default(), Vec::new());
         Ok(Self {
@@ -213,13 +219,15 @@ impl WebStudio {
     }
 
     /// How the studio stands, for scripts of the page.
-    pub fn state(&self) -> Result<String, JsError> {
+    pub fn state(&mut self) -> Result<String, JsError> {
+        let is_kept = self.studio.is_kept();
         let (studio, status) = (&self.studio, self.studio.live().status());
         let frame = studio.live().latest();
         let state = StudioState {
             scene: studio.editor().writing().text(),
             title: studio.editor().title(),
             is_saved: !studio.editor().has_unsaved_work(),
+            is_kept,
             language: studio.settings().language,
             selected: studio
                 .editor()

@@ -177,7 +177,7 @@ pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport)
         // A panel drawn before this one tells of it as well.
         ui.ctx().request_repaint();
     }
-    if cx.view.free_camera.is_none() {
+    if cx.view.free_camera.is_none() && !cx.view.is_alone {
         picture_frame::paint(&painter, rect, cx.settings.picture_aspect());
     }
     maps::draw(&painter, cx, rect, camera);
@@ -192,8 +192,10 @@ pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport)
     over_picture(&painter, cx, viewport, &scene_view, palette);
     answers::answers_ui(ui, cx, &scene_view);
     tell(ui, cx, &response);
-    viewport.bar = toolbar::toolbar_ui(ui, cx, tile);
-    compass::compass_ui(ui, cx, &scene_view);
+    if !cx.view.is_alone {
+        viewport.bar = toolbar::toolbar_ui(ui, cx, tile);
+        compass::compass_ui(ui, cx, &scene_view);
+    }
     maps::legend_ui(ui, cx, rect, scene_view.visible);
     notes(ui, cx, viewport, &scene_view);
 }

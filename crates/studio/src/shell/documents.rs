@@ -110,6 +110,12 @@ pub(crate) fn has_unsaved_work(studio: &mut Studio) -> bool {
     }
 }
 
+/// Whether all work is in a file, or kept to be offered at the next start.
+pub(crate) fn is_kept(studio: &mut Studio) -> bool {
+    let state = (studio.documents.number, studio.editor.revision());
+    !has_unsaved_work(studio) || studio.documents.autosave.kept == Some(state)
+}
+
 /// What to call the document, in the present language.
 pub(crate) fn name(studio: &Studio) -> String {
     let title = studio.editor.title();

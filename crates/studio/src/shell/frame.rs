@@ -107,16 +107,22 @@ impl Studio {
         shortcuts::collect(ui, self);
         let palette = theme::palette(ui.visuals());
         let bar = Frame::new().fill(palette.bar).inner_margin(egui::Margin::symmetric(8, 3));
-        Panel::top("menu").frame(bar).show(ui, |ui| menu::menu_ui(ui, self));
-        documents::banner_ui(ui, self);
+        if !self.view.is_alone {
+            Panel::top("menu").frame(bar).show(ui, |ui| menu::menu_ui(ui, self));
+            documents::banner_ui(ui, self);
+        }
         self.audit.keep_up(ui.ctx());
         if !self.view.is_measuring {
             self.audit.want(ui.ctx(), &self.editor, &self.live);
         }
-        Panel::bottom("status").frame(bar).show(ui, |ui| status_bar::status_ui(ui, &mut self.cx()));
+        if !self.view.is_alone {
+            Panel::bottom("status").frame(bar).show(ui, |ui| status_bar::status_ui(ui, &mut self.cx()));
+        }
         CentralPanel::default().frame(Frame::new().fill(palette.bar)).show(ui, |ui| self.panes_ui(ui));
         audit::open_panel(ui.ctx(), self);
-        self.first_steps_ui(ui.ctx());
+        if !self.view.is_alone {
+            self.first_steps_ui(ui.ctx());
+        }
         let is_behind = self.dialogs.is_any_open();
         manual::manual_ui(ui.ctx(), &self.texts, &mut self.manual, is_behind);
         pictures::pictures_ui(ui, self);
@@ -130,7 +136,9 @@ impl Studio {
             // What it did is seen in the next frame, and a text to be pasted comes with it.
             ui.ctx().request_repaint();
         }
-        self.keep_example_note();
+        if !self.view.is_alone {
+            self.keep_example_note();
+        }
         card::keep_up(self);
         documents::keep(ui.ctx(), self);
         images::keep(ui.ctx(), self);

@@ -35,7 +35,7 @@ use crate::state::command_context::{CommandContext, LabState};
 use crate::state::context::Cx;
 use crate::state::exact::ExactState;
 use crate::state::images::{DocumentImages, ImageUse};
-use crate::state::layout::Pane;
+use crate::state::layout::{self, Pane};
 use crate::state::maps::MapState;
 use crate::state::settings::Settings;
 use crate::state::view::ViewState;
@@ -200,6 +200,20 @@ impl Studio {
         let size = DVec2::new(rect.width().into(), rect.height().into());
         let ends = Projector::new(&camera, size).segment(way.from, way.to)?;
         Some(ends.map(|end| rect.min + egui::vec2(end.x as f32, end.y as f32)))
+    }
+
+    /// Leaves nothing but the picture, for somebody's page: what is pinned, selected and turned there can still be.
+    pub fn show_picture_alone(&mut self) {
+        self.view.is_alone = true;
+        (self.settings.shows_grid, self.settings.shows_handles) = (false, false);
+        for pane in Pane::ALL {
+            layout::set_visible(&mut self.layout, pane, pane == Pane::Viewport);
+        }
+    }
+
+    /// Whether a crash would lose nothing: all work is in a file, or kept to be offered at the next start.
+    pub fn is_kept(&mut self) -> bool {
+        crate::shell::documents::is_kept(self)
     }
 
     /// Has `command` done at the end of the next frame.

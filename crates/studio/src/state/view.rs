@@ -11,6 +11,8 @@ use crate::state::command::Tool;
 /// The state of the view: tool, camera, display.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ViewState {
+    /// Whether the picture is all there is, as on somebody's page.
+    pub(crate) is_alone: bool,
     /// What the gizmo does.
     pub(crate) tool: Tool,
     /// Whether clicks in the picture pin pixels for the audit, instead of selecting.

@@ -48,7 +48,10 @@ pub(crate) fn discard(studio: &mut Studio, found: RecoverableDocument) {
 /// Offers what was found, and opens what was wanted.
 pub(super) fn poll(context: &Context, studio: &mut Studio) {
     let found = std::mem::take(&mut studio.documents.autosave.found);
-    if !found.is_empty() {
+    let comes_back = studio.host.abilities().comes_back;
+    if let ([only], true) = (&found[..], comes_back) {
+        restore(context, studio, only);
+    } else if !found.is_empty() {
         studio.dialogs.open(RecoveryDialog::new(found));
         context.request_repaint();
     }
