@@ -26,6 +26,7 @@ Usage: cargo xtask COMMAND
   dist --try   The same, and try it on a bare Debian system (as root, with debootstrap)
   icons        Make the font of the icons that the studio uses anew (with pyftsubset)
   web          Make the studio for browsers: static files in target/web
+  web --check  The same, and drive it in Chromium (with npm); --check-alone does not make it anew
   help         List the other commands, those of the workbench: measurements, pictures of the documents
 ";
 
@@ -39,25 +40,28 @@ fn main() -> Result<()> {
         ["dist"] => dist::run(false)?,
         ["dist", "--try"] => dist::run(true)?,
         ["icons"] => icons::run()?,
-        ["web"] => web()?,
-        ["ci" | "dist" | "icons" | "web", ..] => bail!("wrong arguments: {}\n\n{HELP}", words.join(" ")),
+        ["web", ref rest @ ..] => web(rest)?,
+        ["ci" | "dist" | "icons", ..] => bail!("wrong arguments: {}\n\n{HELP}", words.join(" ")),
         _ => workbench(&words)?,
     }
     Ok(())
 }
 
 #[cfg(feature = "web")]
-fn web() -> Result<()> {
-    web::run()
+fn web(words: &[&str]) -> Result<()> {
+    match words {
+        [] => web::run(web::Extent::Made),
+        ["--check"] => web::run(web::Extent::Checked),
+        ["--check-alone"] => web::run(web::Extent::CheckAlone),
+        _ => bail!("wrong arguments: web {}\n\n{HELP}", words.join(" ")),
+    }
 }
 
 /// Builds these chores anew, with what the check can do without, and runs them.
 #[cfg(not(feature = "web"))]
-fn web() -> Result<()> {
-    shell::run(&mut command(
-        "cargo",
-        &["run", "--quiet", "--package", "xtask", "--features", "web", "--", "web"],
-    ))
+fn web(words: &[&str]) -> Result<()> {
+    let build = ["run", "--quiet", "--package", "xtask", "--features", "web", "--", "web"];
+    shell::run(command("cargo", &build).args(words))
 }
 
 /// Builds and runs the workbench, which needs the tracer: the check starts without it.

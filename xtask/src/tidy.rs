@@ -26,6 +26,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "optics",
         ],
     ),
+    ("web", &["studio", "platform"]),
     ("catoptric", &["studio", "lab", "gpu", "tracer", "exchange", "store", "scene", "picture", "platform"]),
 ];
 

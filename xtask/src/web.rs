@@ -10,9 +10,20 @@ use anyhow::{Context as _, Result, bail};
 use wasm_bindgen_cli_support::Bindgen;
 
 use xtask::root;
-use xtask::shell::{self, command, output};
+use xtask::shell::{self, command, exists, output};
 
 const TARGET: &str = "wasm32-unknown-unknown";
+
+/// What is wanted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Extent {
+    /// The site.
+    Made,
+    /// The site, driven in a browser.
+    Checked,
+    /// The site that is there, driven in a browser.
+    CheckAlone,
+}
 
 /// One of the two programs: browsers share memory between workers only on pages that are isolated from others.
 struct Flavor {
@@ -46,8 +57,42 @@ const THREADS: Flavor = Flavor {
     builds_std: true,
 };
 
-/// Makes `target/web`; says what had to be left out.
-pub(crate) fn run() -> Result<()> {
+/// Makes `target/web`, drives it in Chromium if that is wanted, and says what had to be left out.
+pub(crate) fn run(extent: Extent) -> Result<()> {
+    if extent != Extent::CheckAlone {
+        make()?;
+    }
+    if extent == Extent::Made {
+        return Ok(());
+    }
+    match check()? {
+        None => println!("the laboratory works in Chromium"),
+        Some(reason) => println!("skipped: the laboratory in Chromium: {reason}"),
+    }
+    Ok(())
+}
+
+/// Drives the laboratory in Chromium; says why that cannot be done, if so.
+fn check() -> Result<Option<String>> {
+    let Some(tools) = tools() else {
+        return Ok(Some("there is no npm to install Playwright with".to_owned()));
+    };
+    let chromium = ["chromium", "chromium-browser", "google-chrome"];
+    let Some(chromium) = chromium.into_iter().find(|name| exists(name, "--version")) else {
+        return Ok(Some("Chromium is not installed (apt-get install chromium)".to_owned()));
+    };
+    let path = output(&mut command("which", &[chromium]))?;
+    // Where its imports find Playwright.
+    let script = tools.join("check.mjs");
+    fs::copy(root().join("crates/web/check/check.mjs"), &script)?;
+    let mut node = command("node", &[]);
+    node.arg(script).arg(root().join("target/web")).arg(path.trim()).arg(root().join("target/web-check"));
+    shell::run(&mut node)?;
+    Ok(None)
+}
+
+/// Makes `target/web`.
+fn make() -> Result<()> {
     let folder = root().join("target/web");
     if folder.exists() {
         fs::remove_dir_all(&folder).with_context(|| format!("cannot empty {}", folder.display()))?;

@@ -1,14 +1,51 @@
-// The laboratory in a real browser, driven as a person would: `node check.mjs ADDRESS CHROMIUM FOLDER`, where ADDRESS is
-// that of the built site on a server that isolates its pages, and pictures of failures go to FOLDER.
+// The laboratory in a real browser, driven as a person would: `node check.mjs SITE CHROMIUM SHOTS [PART]`, where SITE is the
+// folder of the built site, and pictures of pages that fail go to the folder SHOTS. Of the checks those run whose names
+// have PART in them.
 //
-// Each check opens a page in a profile of its own.
+// Each check opens its pages in profiles of their own.
 
 import fs from "node:fs/promises";
+import http from "node:http";
 import path from "node:path";
 import { chromium } from "playwright-core";
 
-const [address, executablePath, folder, only] = process.argv.slice(2);
+const [site, executablePath, folder, part = ""] = process.argv.slice(2);
 const PATIENCE = 60_000;
+
+const TYPES = {
+  ".css": "text/css",
+  ".html": "text/html; charset=utf-8",
+  ".js": "text/javascript",
+  ".png": "image/png",
+  ".wasm": "application/wasm",
+};
+const ISOLATION = {
+  "Cross-Origin-Opener-Policy": "same-origin",
+  "Cross-Origin-Embedder-Policy": "require-corp",
+};
+
+// Serves the site; gives back its address.
+function serve(headers) {
+  const server = http.createServer(async (request, response) => {
+    const name = path.normalize(new URL(request.url, "http://x").pathname);
+    try {
+      const bytes = await fs.readFile(path.join(site, name));
+      const type = TYPES[path.extname(name)] ?? "application/octet-stream";
+      response.writeHead(200, { "Content-Type": type, "Cache-Control": "no-cache", ...headers });
+      response.end(bytes);
+    } catch {
+      response.writeHead(404);
+      response.end();
+    }
+  });
+  server.unref();
+  return new Promise((resolve) => {
+    server.listen(0, "127.0.0.1", () => resolve(`http://127.0.0.1:${server.address().port}/`));
+  });
+}
+
+const isolated = await serve(ISOLATION);
+const plain = await serve({});
 
 function assert(condition, what) {
   if (!condition) {
@@ -18,21 +55,29 @@ function assert(condition, what) {
 
 // A page with the laboratory, and hands to use it.
 class Laboratory {
-  constructor(context, page) {
+  constructor(context, page, address) {
     this.context = context;
     this.page = page;
+    this.address = address;
+    // What the page wrote to its console.
+    this.said = [];
   }
 
-  static async open(browser, fragment = "", options = {}) {
-    const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, acceptDownloads: true, ...options });
+  // Opens the studio's page with what follows its name.
+  static async open(browser, rest = "", options = {}, address = isolated) {
+    const size = { width: 1280, height: 800 };
+    const context = await browser.newContext({ viewport: size, acceptDownloads: true, ...options });
     await context.grantPermissions(["clipboard-read", "clipboard-write"], { origin: new URL(address).origin });
-    const laboratory = new Laboratory(context, await context.newPage());
-    await laboratory.go(fragment);
+    const laboratory = new Laboratory(context, await context.newPage(), address);
+    laboratory.page.on("console", (message) => laboratory.said.push(`${message.type()}: ${message.text()}`));
+    await laboratory.go(rest);
     return laboratory;
   }
 
-  async go(fragment = "") {
-    await this.page.goto(new URL(`studio.html${fragment}`, address).href);
+  async go(rest = "") {
+    // Another fragment alone would not load the page again.
+    await this.page.goto("about:blank");
+    await this.page.goto(new URL(`studio.html${rest}`, this.address).href);
     await this.shown();
   }
 
@@ -123,10 +168,17 @@ const CHECKS = {
   },
 
   async "draws in slices where pages are not isolated"(browser) {
-    const laboratory = await Laboratory.open(browser, "?plain", { serviceWorkers: "block" });
+    const laboratory = await Laboratory.open(browser, "", { serviceWorkers: "block" }, plain);
     const state = await laboratory.until("a finished picture", (state) => state.isIdle && state.samples >= 16);
     assert(state.threads === 1, `${state.threads} threads`);
     await moveBall(laboratory);
+    return laboratory;
+  },
+
+  async "isolates itself on servers that do not"(browser) {
+    const laboratory = await Laboratory.open(browser, "", {}, plain);
+    const state = await laboratory.until("threads", (state) => state.threads >= 2);
+    assert(state.threads >= 2, `${state.threads} threads`);
     return laboratory;
   },
 
@@ -198,7 +250,7 @@ const CHECKS = {
     await laboratory.run("file.copy-link");
     await laboratory.page.waitForTimeout(500);
     const link = await laboratory.page.evaluate(() => navigator.clipboard.readText());
-    assert(link.startsWith(address), `no link in the clipboard: ${link.slice(0, 80)}`);
+    assert(link.startsWith(isolated), `no link in the clipboard: ${link.slice(0, 80)}`);
     const other = await Laboratory.open(browser, link.slice(link.indexOf("#")));
     const state = await other.until("the rays", (state) => state.rays !== null);
     const wanted = await laboratory.state();
@@ -261,57 +313,72 @@ const CHECKS = {
     await laboratory.until("a picture", (state) => state.samples > 0);
     return laboratory;
   },
+
+  async "the picture stands alone on somebody's page"(browser) {
+    const laboratory = await Laboratory.open(browser, "?embed#example=whitted");
+    const state = await laboratory.until("a picture", (state) => state.samples > 0);
+    assert(state.viewport[2] >= 1270 && state.viewport[3] >= 790, `the picture has ${state.viewport}`);
+    const href = await laboratory.page.getAttribute("#opener", "href");
+    assert(href === "studio.html#example=whitted", href);
+    return laboratory;
+  },
+
+  async "a finger turns the view and taps"(browser) {
+    const tablet = { viewport: { width: 820, height: 1180 }, hasTouch: true };
+    const laboratory = await Laboratory.open(browser, "", tablet);
+    await laboratory.page.touchscreen.tap(...(await laboratory.place(0.19, 0.49)));
+    await laboratory.until("a selection", (state) => state.selected.length === 1);
+    return laboratory;
+  },
 };
+
+// Runs one check; gives back its failure, if it fails.
+async function run(browser, name, check) {
+  const contexts = [];
+  const strangers = [];
+  const open = {
+    async newContext(options) {
+      const context = await browser.newContext(options);
+      contexts.push(context);
+      context.on("request", (request) => {
+        const isOwn = [isolated, plain, "blob:"].some((start) => request.url().startsWith(start));
+        if (!isOwn) {
+          strangers.push(request.url());
+        }
+      });
+      return context;
+    },
+  };
+  let failure = null;
+  try {
+    await check(open);
+    assert(strangers.length === 0, `requests left the page's origin: ${strangers}`);
+  } catch (error) {
+    failure = error;
+  }
+  for (const [index, page] of contexts.flatMap((context) => context.pages()).entries()) {
+    if (failure || process.env.SHOTS) {
+      const file = path.join(folder, `${name.replaceAll(/\W+/g, "-")}-${index}.png`);
+      await page.screenshot({ path: file }).catch(() => {});
+    }
+  }
+  await Promise.all(contexts.map((context) => context.close().catch(() => {})));
+  return failure;
+}
 
 const browser = await chromium.launch({
   executablePath,
+  // Also as root and without a graphics card.
   args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
 });
+await fs.mkdir(folder, { recursive: true });
 let failures = 0;
-for (const [name, check] of Object.entries(CHECKS)) {
-  if (only && !name.includes(only)) {
-    continue;
-  }
+for (const [name, check] of Object.entries(CHECKS).filter(([name]) => name.includes(part))) {
   const start = Date.now();
-  const strangers = [];
-  const contexts = new Set();
-  const watch = (context) => {
-    context.on("request", (request) => {
-      if (!request.url().startsWith(address) && !request.url().startsWith("blob:")) {
-        strangers.push(request.url());
-      }
-    });
-  };
-  const newContext = browser.newContext.bind(browser);
-  const watched = new Proxy(browser, {
-    get: (target, key) =>
-      key === "newContext"
-        ? async (options) => {
-            const context = await newContext(options);
-            contexts.add(context);
-            watch(context);
-            return context;
-          }
-        : target[key],
-  });
-  let error = null;
-  try {
-    await check(watched);
-    assert(strangers.length === 0, `requests left the page's origin: ${strangers}`);
-  } catch (failure) {
-    error = failure;
-    failures += 1;
-  }
-  const shots = [...contexts].flatMap((context) => context.pages());
-  for (const [index, page] of shots.entries()) {
-    if (error || process.env.SHOTS) {
-      await page.screenshot({ path: path.join(folder, `${name.replaceAll(/\W+/g, "-")}-${index}.png`) }).catch(() => {});
-    }
-  }
-  for (const context of contexts) {
-    await context.close().catch(() => {});
-  }
-  console.log(`${error ? "FAILED" : "ok"}: ${name} (${((Date.now() - start) / 1000).toFixed(1)} s)${error ? `\n  ${error.message}` : ""}`);
+  const failure = await run(browser, name, check);
+  const seconds = ((Date.now() - start) / 1000).toFixed(1);
+  console.log(failure ? `FAILED: ${name} (${seconds} s)\n  ${failure.message}` : `ok: ${name} (${seconds} s)`);
+  failures += failure ? 1 : 0;
 }
 await browser.close();
 process.exit(failures > 0 ? 1 : 0);

@@ -23,6 +23,7 @@ macro_rules! sources {
 /// All documents, in the order in which to list them.
 pub(super) const SOURCES: &[ManualDocument] = &sources![
     "studio.md",
+    "browser.md",
     "scene-format.md",
     "exchange.md",
     "materials.md",
