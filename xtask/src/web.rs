@@ -133,7 +133,7 @@ fn build(flavor: &Flavor, folder: &Path) -> Result<()> {
     cargo.env("RUSTFLAGS", format!("-Ctarget-feature={}{}", flavor.features, links.collect::<String>()));
     if flavor.builds_std {
         // A stable compiler builds its own library with these features only if it is told that it may.
-        cargo.args(["-Z", "build-std=std,panic_abort"]).env("RUSTC_BOOTSTRAP", "1");
+        cargo.args(["--features", "threads", "-Z", "build-std=std,panic_abort"]).env("RUSTC_BOOTSTRAP", "1");
     }
     shell::run(&mut cargo)?;
     let program = target_folder()?.join(TARGET).join("web/catoptric_web.wasm");

@@ -75,7 +75,7 @@ function start(options) {
   canvas.tabIndex = 0;
   stage.replaceChildren(canvas);
   const worker = new Worker("worker.js", { type: "module", name: "studio" });
-  const studio = { worker, canvas, threads: new Set(), shared: null, startedAt: performance.now(), heardAt: performance.now(), isShown: false };
+  const studio = { worker, canvas, threads: new Set(), idle: [], shared: null, startedAt: performance.now(), heardAt: performance.now(), isShown: false };
   current = studio;
   worker.onmessage = ({ data }) => hear(studio, data, worker);
   worker.onerror = (event) => lose(studio, event.message);
@@ -148,8 +148,8 @@ function hear(studio, message, worker) {
       startThread(studio, message);
       break;
     case "ended":
-      worker.terminate();
-      studio.threads.delete(worker);
+      // It waits for more: to start a worker takes longer than most work.
+      studio.idle.push(worker);
       break;
     case "wake":
       studio.worker.postMessage({ type: "wake" });
@@ -194,11 +194,16 @@ function hear(studio, message, worker) {
 }
 
 function startThread(studio, { name, work }) {
+  const thread = studio.idle.pop() ?? newThread(studio, name);
+  thread.postMessage({ ...studio.shared, work });
+}
+
+function newThread(studio, name) {
   const thread = new Worker("thread.js", { type: "module", name });
   studio.threads.add(thread);
   thread.onmessage = ({ data }) => hear(studio, data, thread);
   thread.onerror = (event) => lose(studio, event.message);
-  thread.postMessage({ ...studio.shared, work });
+  return thread;
 }
 
 async function obey(studio, command, tell) {
