@@ -50,9 +50,9 @@ fn main() -> Result<()> {
 #[cfg(feature = "web")]
 fn web(words: &[&str]) -> Result<()> {
     match words {
-        [] => web::run(web::Extent::Made),
-        ["--check"] => web::run(web::Extent::Checked),
-        ["--check-alone"] => web::run(web::Extent::CheckAlone),
+        [] => web::run(web::WebExtent::Made),
+        ["--check"] => web::run(web::WebExtent::Checked),
+        ["--check-alone"] => web::run(web::WebExtent::CheckAlone),
         _ => bail!("wrong arguments: web {}\n\n{HELP}", words.join(" ")),
     }
 }

@@ -16,7 +16,7 @@ const TARGET: &str = "wasm32-unknown-unknown";
 
 /// What is wanted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Extent {
+pub(crate) enum WebExtent {
     /// The site.
     Made,
     /// The site, driven in a browser.
@@ -58,11 +58,11 @@ const THREADS: Flavor = Flavor {
 };
 
 /// Makes `target/web`, drives it in Chromium if that is wanted, and says what had to be left out.
-pub(crate) fn run(extent: Extent) -> Result<()> {
-    if extent != Extent::CheckAlone {
+pub(crate) fn run(extent: WebExtent) -> Result<()> {
+    if extent != WebExtent::CheckAlone {
         make()?;
     }
-    if extent == Extent::Made {
+    if extent == WebExtent::Made {
         return Ok(());
     }
     match check()? {

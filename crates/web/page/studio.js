@@ -311,7 +311,10 @@ self.catoptric = {
 };
 
 document.addEventListener("visibilitychange", () => {
-  current?.worker.postMessage({ type: "hidden", isHidden: document.hidden });
+  if (current) {
+    current.heardAt = performance.now();
+    current.worker.postMessage({ type: "hidden", isHidden: document.hidden });
+  }
 });
 again.onclick = () => start(usualOptions());
 

@@ -101,6 +101,11 @@ impl Studio {
         Ok(studio)
     }
 
+    /// Whether a crash would lose nothing: all work is in a file, or kept to be offered at the next start.
+    pub fn is_kept(&mut self) -> bool {
+        documents::is_kept(self)
+    }
+
     /// Draws the window and does what was asked for in it.
     pub fn ui(&mut self, ui: &mut Ui) {
         self.view.is_moving = false;

@@ -211,11 +211,6 @@ impl Studio {
         }
     }
 
-    /// Whether a crash would lose nothing: all work is in a file, or kept to be offered at the next start.
-    pub fn is_kept(&mut self) -> bool {
-        crate::shell::documents::is_kept(self)
-    }
-
     /// Has `command` done at the end of the next frame.
     pub fn run(&mut self, command: impl Into<Command>) {
         self.commands.push(command.into());
