@@ -20,7 +20,7 @@ pub(crate) const PERSONS_FOLDER: &str = "/files";
 #[derive(Clone, Debug, Default)]
 pub(crate) struct PageHost {
     /// Whether the picture stands alone on somebody's page: nothing is kept then.
-    pub(crate) is_embedded: bool,
+    is_embedded: bool,
     questions: Rc<RefCell<Questions>>,
 }
 
@@ -37,6 +37,10 @@ struct Questions {
 }
 
 impl PageHost {
+    pub(crate) fn new(is_embedded: bool) -> Self {
+        Self { is_embedded, questions: Rc::default() }
+    }
+
     /// What the page is to ask.
     pub(crate) fn take_questions(&self) -> impl Iterator<Item = PageCommand> {
         std::mem::take(&mut self.questions.borrow_mut().untold).into_iter()

@@ -119,7 +119,7 @@ impl WebStudio {
     pub fn new(canvas: OffscreenCanvas, options: &str) -> Result<Self, JsError> {
         let options: StartOptions = serde_json::from_str(options)?;
         let painter = CanvasPainter::new(canvas).map_err(|reason| JsError::new(&reason))?;
-        let host = PageHost { is_embedded: options.is_embedded, ..PageHost::default() };
+        let host = PageHost::new(options.is_embedded);
         process::use_number(options.page);
         files::create_folders(Path::new(PERSONS_FOLDER))?;
         choose_language(&host, &options.language)?;
