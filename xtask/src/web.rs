@@ -139,7 +139,7 @@ fn build(flavor: &Flavor, folder: &Path) -> Result<()> {
     let program = target_folder()?.join(TARGET).join("web/catoptric_web.wasm");
     let out = folder.join(flavor.folder);
     let mut bindgen = Bindgen::new();
-    bindgen.input_path(&program).out_name("studio").typescript(false);
+    bindgen.input_path(&program).out_name("studio").typescript(false).remove_name_section(true);
     bindgen.web(true)?.generate(&out).with_context(|| format!("cannot bind {}", program.display()))?;
     make_small(&self::program(flavor, folder))
 }

@@ -98,7 +98,7 @@ class Laboratory {
         return state;
       }
       assert(Date.now() < deadline, `waited in vain: ${what}`);
-      await this.page.waitForTimeout(50);
+      await this.page.waitForTimeout(150);
     }
   }
 
@@ -107,10 +107,16 @@ class Laboratory {
     await this.settled();
   }
 
-  // Waits for frames that answer what was done.
+  // Waits until what was done is seen: twice the same, with a finished picture.
   async settled() {
-    await this.page.waitForTimeout(300);
-    await this.state();
+    let before = null;
+    await this.until("quiet", (state) => {
+      const now = JSON.stringify(state);
+      const isQuiet = state.isIdle && now === before;
+      before = now;
+      return isQuiet;
+    });
+    return this.state();
   }
 
   // A place in the picture, from shares of its width and height.
@@ -152,9 +158,10 @@ const BALL = [0.19, 0.47];
 const BALL_ASIDE = [0.27, 0.47];
 
 async function moveBall(laboratory) {
-  const before = (await laboratory.state()).scene;
+  const before = (await laboratory.settled()).scene;
   await laboratory.drag(await laboratory.place(...BALL), await laboratory.place(...BALL_ASIDE));
-  return laboratory.until("a moved ball", (state) => state.scene !== before);
+  await laboratory.until("a moved ball", (state) => state.scene !== before);
+  return laboratory.settled();
 }
 
 const CHECKS = {

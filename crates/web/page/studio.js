@@ -13,6 +13,8 @@ const RELOADED = "catoptric reloaded";
 // A studio that fails so soon after a start, milliseconds, fails for good.
 const SOON = 10_000;
 
+// So long a service worker is waited for, milliseconds.
+const PATIENCE = 4000;
 // A studio that says nothing for so long, milliseconds, may be lost.
 const SILENCE = 10_000;
 
@@ -327,7 +329,8 @@ async function keepForLater() {
   }
   try {
     const registration = await workers.register("service-worker.js");
-    await workers.ready;
+    // Where it may not run, this comes never.
+    await Promise.race([workers.ready, new Promise((_, reject) => setTimeout(reject, PATIENCE, "no answer"))]);
     announceNewer(registration);
   } catch (error) {
     console.warn("Nothing is kept for when there is no network:", error);

@@ -108,6 +108,7 @@ impl Studio {
 
     /// Draws the window and does what was asked for in it.
     pub fn ui(&mut self, ui: &mut Ui) {
+        let begin = Instant::now();
         self.view.is_moving = false;
         shortcuts::collect(ui, self);
         let palette = theme::palette(ui.visuals());
@@ -153,7 +154,7 @@ impl Studio {
         measure::keep_up(ui.ctx(), self);
         self.settle(ui);
         self.request_picture();
-        self.trace_slice(ui.ctx());
+        self.trace_slice(ui.ctx(), begin);
     }
 
     fn first_steps_ui(&mut self, context: &Context) {
@@ -233,12 +234,14 @@ impl Studio {
         self.live.request(request);
     }
 
-    /// Traces for a moment where the tracer has no thread of its own.
-    fn trace_slice(&self, context: &Context) {
-        /// What a frame may take for it.
-        const SLICE: Duration = Duration::from_millis(8);
+    /// Traces for a moment where the tracer has no thread of its own: as long as the rest of the frame took, so that slow
+    /// windows do not starve it.
+    fn trace_slice(&self, context: &Context, begin: Instant) {
+        /// What a frame may take for it at least.
+        const LEAST: Duration = Duration::from_millis(8);
         if !self.live.has_thread() {
-            self.live.advance(Instant::now() + SLICE);
+            let now = Instant::now();
+            self.live.advance(now + (now - begin).max(LEAST));
             if !self.live.status().is_idle {
                 context.request_repaint();
             }
