@@ -105,13 +105,14 @@ function lose(studio, reason) {
   if (studio !== current) {
     return;
   }
+  const why = studio.panic ?? reason;
   const wasShown = studio.isShown;
   stop(studio);
-  console.error("The studio is lost:", reason);
+  console.error("The studio is lost:", why);
   if (!wasShown) {
-    showFailure(say("failed"), reason);
+    showFailure(say("failed"), why);
   } else if (performance.now() - studio.startedAt < SOON) {
-    showFailure(say("failedAgain"), reason);
+    showFailure(say("failedAgain"), why);
   } else {
     show(say("stopped"), "", 0);
     start(usualOptions());
@@ -188,6 +189,9 @@ function hear(studio, message, worker) {
       for (const command of message.commands) {
         obey(studio, command, tell);
       }
+      break;
+    case "panic":
+      studio.panic = message.message;
       break;
     case "fault":
       lose(studio, message.message);

@@ -120,6 +120,7 @@ impl WebStudio {
         let options: StartOptions = serde_json::from_str(options)?;
         let painter = CanvasPainter::new(canvas).map_err(|reason| JsError::new(&reason))?;
         let host = PageHost::new(options.is_embedded);
+        threads::tell_of_panics();
         process::use_number(options.page);
         files::create_folders(Path::new(PERSONS_FOLDER))?;
         choose_language(&host, &options.language)?;

@@ -43,6 +43,14 @@ pub unsafe fn run_thread(work: u32) {
     work();
 }
 
+/// From now on the page is told of a panic, in whichever worker: the browser itself knows no more than that something
+/// unreachable was reached.
+pub(crate) fn tell_of_panics() {
+    std::panic::set_hook(Box::new(|info| {
+        let _ = tell("panic", &[("message", info.to_string().into())]);
+    }));
+}
+
 /// Has a frame drawn soon, whoever asks for it.
 pub(crate) fn wake() {
     // In the studio's own worker each frame says itself when the next one is wanted.
