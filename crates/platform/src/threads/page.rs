@@ -4,6 +4,8 @@ use std::io;
 use std::sync::OnceLock;
 use std::time::Duration;
 
+use rayon::{ThreadBuilder, ThreadPoolBuilder};
+
 use crate::time::Instant;
 
 /// What a thread does.
@@ -16,9 +18,17 @@ struct PageThreads {
     start: fn(&str, ThreadWork) -> io::Result<()>,
 }
 
-/// From now on `start` starts threads, of which so many run at the same time. Only the first call counts.
+/// From now on `start` starts threads, of which so many run at the same time, also those of rayon. Only the first call
+/// counts.
 pub fn use_threads(processors: usize, start: fn(&str, ThreadWork) -> io::Result<()>) {
-    let _ = THREADS.set(PageThreads { processors, start });
+    if THREADS.set(PageThreads { processors, start }).is_err() {
+        return;
+    }
+    let pool = ThreadPoolBuilder::new().num_threads(processors.max(1));
+    let spawn = |thread: ThreadBuilder| self::start("rayon", || thread.run());
+    // Left to itself, rayon would take the first worker that uses it for its pool, and others would wait for that one
+    // when it is gone. If there is a pool already, it stays.
+    let _ = pool.spawn_handler(spawn).build_global();
 }
 
 /// Whether there are threads.

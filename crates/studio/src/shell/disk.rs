@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use catoptric_editor::SceneWriter;
 use catoptric_exchange::{ForeignFormat, ImportOptions};
-use catoptric_platform::files::{FileStamp, WriteError};
+use catoptric_platform::files::{self, FileStamp, WriteError};
 use catoptric_platform::time::SystemTime;
 use catoptric_scene::{Diagnostic, Diagnostics, LONGEST_TEXT, LoadedScene, Scene};
 use catoptric_store::{LoadError, load_partly, save};
@@ -81,7 +81,7 @@ fn read_failure(path: &Path, error: LoadError) -> ReadFailure {
         Some(io::ErrorKind::NotFound | io::ErrorKind::NotADirectory) => ReadFailure::Missing,
         Some(io::ErrorKind::PermissionDenied) => ReadFailure::Denied,
         Some(io::ErrorKind::IsADirectory) => ReadFailure::Folder,
-        None if path.is_dir() => ReadFailure::Folder,
+        None if files::is_folder(path) => ReadFailure::Folder,
         None => ReadFailure::TooLong,
         Some(_) => ReadFailure::Other(reason),
     }

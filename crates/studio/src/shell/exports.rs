@@ -4,6 +4,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use catoptric_platform::files;
 use egui::Context;
 
 use crate::base::job::{Job, JobStatus};
@@ -60,7 +61,8 @@ pub(crate) fn poll(context: &Context, studio: &mut Studio) {
 fn write(context: &Context, studio: &mut Studio, export: Arc<dyn Export>, path: PathBuf, may_replace: bool) {
     let (own, target) = (Arc::clone(&export), path.clone());
     let work = move || {
-        let is_there = own.landmark().map_or_else(|| target.exists(), |file| target.join(file).exists());
+        let is_there =
+            own.landmark().map_or_else(|| files::exists(&target), |file| files::exists(&target.join(file)));
         (may_replace || !is_there).then(|| own.write(&target))
     };
     match Job::start(context, "export", work) {

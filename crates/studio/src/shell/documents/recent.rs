@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use catoptric_platform::files;
 use egui::Context;
 
 use crate::base::job::{Job, JobStatus};
@@ -19,7 +20,7 @@ pub(super) fn keep(context: &Context, studio: &mut Studio) {
     } else if recent.looked_up != studio.settings.recent {
         recent.looked_up.clone_from(&studio.settings.recent);
         let paths = recent.looked_up.clone();
-        let work = move || paths.into_iter().filter(|path| !path.exists()).collect();
+        let work = move || paths.into_iter().filter(|path| !files::exists(path)).collect();
         recent.job = Job::start(context, "recent files", work).ok();
     }
 }

@@ -4,6 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use catoptric_picture::{FormatError, Picture, PictureFormat, SaveOptions};
+use catoptric_platform::files;
 use egui::Context;
 
 use super::file_name;
@@ -69,7 +70,7 @@ pub(super) fn write(
 
 impl PictureSaveRequest {
     fn write(&self, picture: &Picture) -> Result<(), PictureSaveFailure> {
-        if !self.may_replace && self.path.exists() {
+        if !self.may_replace && files::exists(&self.path) {
             return Err(PictureSaveFailure::Exists);
         }
         let mut options = self.options().map_err(PictureSaveFailure::Format)?;
