@@ -37,7 +37,7 @@ pub(crate) fn run(arguments: &GalleryArguments) -> Result<()> {
     let mut sheet = Sheet::new(SIZE, REDUCED, COLUMNS);
     for example in Example::ALL.iter().filter(wanted) {
         println!("{}", example.name);
-        let picture = picture(example, arguments.samples)?;
+        let picture = picture(example, SIZE, arguments.samples)?;
         write_jpeg(&folder.join(format!("{}.jpg", example.name)), &picture)?;
         sheet.add(&picture);
     }
@@ -47,21 +47,27 @@ pub(crate) fn run(arguments: &GalleryArguments) -> Result<()> {
     Ok(())
 }
 
-fn picture(example: &Example, samples: u32) -> Result<Picture> {
+/// The picture of a built-in scene, `size` pixels across and down.
+pub(crate) fn picture(example: &Example, size: (u32, u32), samples: u32) -> Result<Picture> {
     let render_scene = RenderScene::build(&example.load()?.scene)?;
-    let settings = RenderSettings { width: SIZE.0, height: SIZE.1, samples };
+    let settings = RenderSettings { width: size.0, height: size.1, samples };
     Ok(render(&render_scene, settings, &RenderControl::default())?.picture)
 }
 
 /// Pictures in documents are JPEG: a repository should stay small.
 pub(crate) fn write_jpeg(path: &Path, picture: &Picture) -> Result<()> {
+    Ok(write_bytes(path, &jpeg(picture, 82)?)?)
+}
+
+/// A picture as a JPEG of a quality from 1 to 100.
+pub(crate) fn jpeg(picture: &Picture, quality: u8) -> Result<Vec<u8>> {
     let developed = Development::default().develop(picture, BitDepth::Eight)?;
     let mut bytes = Vec::new();
     if let Codes::Eight(codes) = developed.codes() {
-        let mut encoder = Encoder::new(&mut bytes, 82);
+        let mut encoder = Encoder::new(&mut bytes, quality);
         encoder.set_sampling_factor(SamplingFactor::F_1_1);
         encoder.set_optimized_huffman_tables(true);
         encoder.encode(codes, picture.width() as u16, picture.height() as u16, ColorType::Rgb)?;
     }
-    Ok(write_bytes(path, &bytes)?)
+    Ok(bytes)
 }

@@ -2,6 +2,7 @@
 
 mod bench;
 mod bench_gpu;
+mod front_page;
 mod gallery;
 mod methods;
 mod povray;
@@ -24,6 +25,8 @@ struct Arguments {
 enum Chore {
     /// Render the built-in scenes into docs/gallery and the README's picture
     Gallery(gallery::GalleryArguments),
+    /// Write the front page of the laboratory in a browser, with pictures of the built-in scenes
+    FrontPage(front_page::FrontPageArguments),
     /// Draw the documents' pictures of the methods
     Methods,
     /// Write a scene of very many bodies, for measuring
@@ -43,6 +46,7 @@ enum Chore {
 fn main() -> anyhow::Result<()> {
     match Arguments::parse().chore {
         Chore::Gallery(arguments) => gallery::run(&arguments),
+        Chore::FrontPage(arguments) => front_page::run(&arguments),
         Chore::Methods => methods::run(),
         Chore::Cloud(arguments) => scenes::write_cloud(&arguments),
         Chore::Bench(arguments) => bench::run(&arguments),

@@ -2,6 +2,7 @@
 
 mod method;
 
+use std::net::{IpAddr, Ipv4Addr};
 use std::num::IntErrorKind;
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -55,6 +56,8 @@ pub(crate) enum Command {
     Measure(MeasureArguments),
     /// Convert a picture, or write a scene in its standard form
     Convert(ConvertArguments),
+    /// Serve the laboratory to a browser on this machine
+    Serve(ServeArguments),
     /// List the built-in scenes, or write one
     Examples(ExamplesArguments),
     /// Print a script that completes commands and options
@@ -371,6 +374,27 @@ pub(crate) struct ConvertArguments {
     pub quality: Option<u8>,
     #[command(flatten)]
     pub development: DevelopmentArguments,
+}
+
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  catoptric serve --open
+  catoptric serve public --port 9000")]
+pub(crate) struct ServeArguments {
+    /// The directory to serve; without it target/web, which `cargo xtask web` makes
+    #[arg(value_name = "DIR")]
+    pub directory: Option<PathBuf>,
+    /// The address of this machine to listen at; with another than a loopback address, other machines can read the
+    /// directory
+    #[arg(long, value_name = "ADDR", default_value_t = IpAddr::V4(Ipv4Addr::LOCALHOST))]
+    pub address: IpAddr,
+    /// The port to listen at, 0 for any; without it, the first free one from 8080 on
+    #[arg(long, value_name = "N")]
+    pub port: Option<u16>,
+    /// Open the page in the browser
+    #[arg(long)]
+    pub open: bool,
 }
 
 #[derive(Debug, Args)]

@@ -9,6 +9,8 @@ pub(crate) mod examples;
 pub(crate) mod manual;
 pub(crate) mod measure;
 pub(crate) mod render;
+#[cfg_attr(not(feature = "serve"), path = "commands/no_serve.rs")]
+pub(crate) mod serve;
 #[cfg_attr(not(feature = "studio"), path = "commands/no_studio.rs")]
 pub(crate) mod studio;
 

@@ -65,6 +65,7 @@ fn run(command: &Command) -> Result<CommandOutcome> {
         Command::Compare(arguments) => commands::compare::run(arguments),
         Command::Measure(arguments) => commands::measure::run(arguments),
         Command::Convert(arguments) => commands::convert::run(arguments),
+        Command::Serve(arguments) => commands::serve::run(arguments),
         Command::Examples(arguments) => commands::examples::run(arguments),
         Command::Completions(arguments) => commands::manual::completions(arguments),
         Command::Man(arguments) => commands::manual::man(arguments),

@@ -2,6 +2,7 @@
 
 use crate::format::{Diagnostics, LoadedScene, nearest, read};
 use crate::image::NoResources;
+use crate::language::Language;
 
 /// A scene that comes with the program: something to look at, to learn from, and to start from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,6 +71,19 @@ impl Example {
         self.comment_line(1)
     }
 
+    /// What to notice: a paragraph of the comments at the head of the file.
+    pub fn notice(&self, language: Language) -> String {
+        let start = language.pick("# What to notice: ", "# На что смотреть: ");
+        let mut lines = self.text.lines().skip_while(|line| !line.starts_with(start));
+        let first = lines.next().and_then(|line| line.strip_prefix(start));
+        let words: Vec<&str> =
+            first.into_iter().chain(lines.map_while(|line| line.strip_prefix("# "))).collect();
+        let notice = words.join(" ");
+        // In the file it goes on after a colon.
+        let mut letters = notice.chars();
+        letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+    }
+
     fn comment_line(&self, line: usize) -> &'static str {
         self.text.lines().nth(line).map_or(self.name, |line| line.trim_start_matches('#').trim())
     }
@@ -109,14 +123,20 @@ mod tests {
     }
 
     #[test]
-    fn every_example_says_what_to_notice_in_both_languages() {
-        for Example { name, text } in Example::ALL {
-            assert!(
-                text.contains("\n# What to notice: ") && text.contains("\n# На что смотреть: "),
-                "{name}"
-            );
-            let russian = text.lines().nth(1).unwrap_or_default();
-            assert!(russian.chars().any(|c| ('а'..='я').contains(&c)), "{name}: {russian}");
+    fn every_example_has_its_texts_in_the_letters_of_the_language() {
+        let is_cyrillic = |letter: char| ('а'..='я').contains(&letter);
+        for example in Example::ALL {
+            assert!(!example.title().contains(is_cyrillic), "{}", example.title());
+            assert!(example.russian_title().contains(is_cyrillic), "{}", example.russian_title());
+            for language in Language::ALL {
+                let notice = example.notice(language);
+                assert!(notice.len() > 40 && !notice.contains('#'), "{}: {notice}", example.name);
+                assert!(
+                    notice.starts_with(char::is_uppercase) || notice.starts_with(char::is_numeric),
+                    "{notice}"
+                );
+                assert_eq!(notice.contains(is_cyrillic), language == Language::Russian, "{notice}");
+            }
         }
     }
 

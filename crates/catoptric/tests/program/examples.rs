@@ -2,8 +2,8 @@
 
 use crate::common::Folder;
 
-const COMMANDS: [&str; 8] =
-    ["studio", "render", "check", "diff", "convert", "examples", "completions", "man"];
+const COMMANDS: [&str; 9] =
+    ["studio", "render", "check", "diff", "convert", "serve", "examples", "completions", "man"];
 
 #[test]
 fn every_example_is_listed_and_good() {

@@ -27,6 +27,8 @@ mod memory;
 mod methods;
 mod overwriting;
 mod render;
+#[cfg(feature = "serve")]
+mod serve;
 mod set;
 #[cfg(unix)]
 mod streams;

@@ -8,7 +8,7 @@ use egui::{
 };
 use egui_material_icons::icons;
 
-use crate::base::example_texts::{example_notice, example_title};
+use crate::base::example_texts::example_title;
 use crate::base::texts::Texts;
 use crate::base::widgets::icon_button;
 use crate::base::{scripts, theme};
@@ -59,7 +59,7 @@ impl ExampleNote {
             self.is_closed = !self.is_closed;
             return None;
         }
-        Some((title(texts, example), example_notice(example, texts.language())))
+        Some((title(texts, example), example.notice(texts.language().into())))
     }
 
     fn is_shown(&self) -> bool {
@@ -78,7 +78,7 @@ pub(crate) fn note_below(ui: &mut Ui, texts: &Texts, note: &mut ExampleNote, abo
     note.has_room = room.width() >= LEAST_WIDTH && room.height() >= LEAST_HEIGHT;
     let shown = note.example.filter(|_| note.is_shown() && note.has_room);
     let Some(example) = shown else { return above(ui) };
-    let notice = example_notice(example, texts.language());
+    let notice = example.notice(texts.language().into());
     let width = room.width() - MARGIN.sum().x - SCROLL_BAR;
     let size = TextStyle::Body.resolve(ui.style()).size;
     let notice = scripts::job(&notice, size, ui.visuals().text_color());

@@ -8,7 +8,7 @@ use egui::{
 };
 use egui_material_icons::icons;
 
-use crate::base::example_texts::{example_notice, example_title};
+use crate::base::example_texts::example_title;
 use crate::base::texts::Texts;
 use crate::base::widgets::paint_line_in;
 use crate::base::{scripts, theme};
@@ -210,7 +210,7 @@ fn card_ui(ui: &mut Ui, studio: &Studio, index: usize, example: &Example, is_sel
     if is_selected || response.has_focus() {
         painter.rect_stroke(rect, 6.0, Stroke::new(1.5, palette.accent), StrokeKind::Outside);
     }
-    let notice = example_notice(example, studio.texts.language());
+    let notice = example.notice(studio.texts.language().into());
     response.on_hover_text(scripts::job(&notice, 13.5, ui.visuals().text_color()))
 }
 
