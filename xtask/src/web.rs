@@ -3,10 +3,14 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use anyhow::{Context as _, Result, bail};
+use brotli::enc::BrotliEncoderParams;
+use flate2::Compression;
+use flate2::write::GzEncoder;
 use wasm_bindgen_cli_support::Bindgen;
 
 use xtask::root;
@@ -111,7 +115,11 @@ fn make() -> Result<()> {
         format!("{}: {value}", flavor.folder)
     });
     fs::write(folder.join("build.js"), format!("export const programs = {{ {} }};\n", told.join(", ")))?;
+    shell::run(
+        command("cargo", &["run", "--quiet", "--package", "workbench", "--", "front-page"]).arg(&folder),
+    )?;
     write_service_worker(&folder)?;
+    compress(&folder)?;
     println!("{}", folder.display());
     Ok(())
 }
@@ -163,7 +171,7 @@ fn make_small(program: &Path) -> Result<()> {
         return Ok(());
     };
     let mut optimize = Command::new(tools.join("node_modules/.bin/wasm-opt"));
-    optimize.args(["-O3", "--converge", "--all-features"]).arg(program).arg("-o").arg(program);
+    optimize.args(["-O2", "--all-features"]).arg(program).arg("-o").arg(program);
     shell::run(&mut optimize)
 }
 
@@ -190,6 +198,24 @@ fn copy_page(folder: &Path) -> Result<()> {
         }
     }
     fs::copy(root().join("crates/studio/assets/icon.png"), folder.join("icon.png"))?;
+    Ok(())
+}
+
+/// Writes packed copies beside the files, for servers that hand those out.
+fn compress(folder: &Path) -> Result<()> {
+    let mut files = BTreeMap::new();
+    collect(folder, folder, &mut files)?;
+    let is_packed = |name: &str| name.ends_with(".jpg") || name.ends_with(".png");
+    for (name, bytes) in files.iter().filter(|(name, _)| !is_packed(name)) {
+        let mut gz = GzEncoder::new(Vec::new(), Compression::best());
+        gz.write_all(bytes)?;
+        fs::write(folder.join(format!("{name}.gz")), gz.finish()?)?;
+        let mut br = Vec::new();
+        let parameters = BrotliEncoderParams { quality: 9, lgwin: 24, ..BrotliEncoderParams::default() };
+        brotli::BrotliCompress(&mut bytes.as_slice(), &mut br, &parameters)?;
+        println!("{name}: {} bytes, {} packed", bytes.len(), br.len());
+        fs::write(folder.join(format!("{name}.br")), br)?;
+    }
     Ok(())
 }
 
