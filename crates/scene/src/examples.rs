@@ -45,6 +45,7 @@ impl Example {
         "anamorphosis",
         "anamorphic-cone",
         "concave-mirror",
+        "parabolic-mirror",
         "falloff",
         "colored-lights",
         "still-life",
