@@ -99,7 +99,7 @@ fn check(editor: &mut Editor, key: &SceneKey, value: Option<SceneValue>) -> bool
 /// Sets every key of a scene to each of these values.
 fn check_all(
     text: &str,
-    scene: Scene,
+    scene: &Scene,
     values: impl Fn(&KeySpec) -> Vec<Option<SceneValue>>,
     changed: &mut Vec<&'static KeySpec>,
 ) {
@@ -111,7 +111,7 @@ fn check_all(
             }
         }
     }
-    assert_eq!(**editor.scene(), scene);
+    assert_eq!(&**editor.scene(), scene);
     assert!(!editor.is_changed());
 }
 
@@ -124,14 +124,14 @@ fn what_is_set_at_every_key_is_saved_and_can_be_undone() {
         let can_go = !matches!(key.kind, Kind::Choice(_));
         values(&small, key).into_iter().map(Some).chain(can_go.then_some(None)).collect()
     };
-    check_all(SMALL, small.clone(), values, &mut changed);
+    check_all(SMALL, &small, values, &mut changed);
     // Other words of the choices have other keys.
     for key in small.keys() {
         let Kind::Choice(words) = key.spec.kind else { continue };
         for word in words {
             let mut scene = small.clone();
             if scene.set(&key.path, *word).is_ok() && scene != small {
-                check_all(&write(&scene), scene, values, &mut changed);
+                check_all(&write(&scene), &scene, values, &mut changed);
             }
         }
     }
@@ -147,7 +147,7 @@ fn the_keys_of_the_examples_are_saved_and_can_be_undone() {
         let mut changed = Vec::new();
         let scene = read(example.text).into_result().unwrap().value;
         let one = |key: &KeySpec| values(&scene, key).pop().into_iter().map(Some).collect();
-        check_all(example.text, scene.clone(), one, &mut changed);
+        check_all(example.text, &scene, one, &mut changed);
         assert!(changed.len() > 20, "{}: {}", example.name, changed.len());
     }
 }

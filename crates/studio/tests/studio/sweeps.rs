@@ -4,8 +4,8 @@ use catoptric_scene::ScenePart;
 use catoptric_studio::{Command, MeasureCommand, StartDocument, Studio};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, OutputCommand};
-use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use egui_kittest::{Harness, Node};
 
 use crate::kit::{TestHost, studio_with, wait_until};
 
@@ -90,9 +90,8 @@ fn a_number_of_the_scene_is_typed_swept_and_read() {
         enter(&mut harness, &to, "2");
         let steps = said(&harness, "measure-steps");
         for (label, number) in [(steps, "3"), (said(&harness, "measure-rounds"), "1")] {
-            let fields =
-                harness.get_all_by_label(&label).filter(|node| node.accesskit_node().role() != Role::Label);
-            fields.last().unwrap().focus();
+            let is_field = |node: &Node<'_>| node.accesskit_node().role() != Role::Label;
+            harness.get_all_by_label(&label).rfind(is_field).unwrap().focus();
             harness.run_steps(2);
             harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
             harness.run_steps(1);

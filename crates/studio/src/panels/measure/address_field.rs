@@ -69,7 +69,8 @@ impl AddressField {
             ..EventFilter::default()
         };
         let mut edit = TextEdit::singleline(&mut self.text).id(id).desired_width(width).event_filter(filter);
-        if is_wrong {
+        // With the list open, the address is still being typed.
+        if is_wrong && self.list.is_none() {
             edit = edit.text_color(theme::palette(ui.visuals()).error);
         }
         let response = ui.add(edit.hint_text(cx.t("measure-address-hint")));
