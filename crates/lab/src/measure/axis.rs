@@ -135,7 +135,10 @@ fn evenly([from, to]: [f64; 2], count: usize) -> Option<Vec<f64>> {
         step => {
             let part = step as f64 / (count - 1) as f64;
             let number = from * (1.0 - part) + to * part;
-            // Without what rounding adds: 0.2, not 0.19999999999999998.
+            // Without what rounding adds: 0.2, not 0.19999999999999998, and 0, not 5e-17.
+            if number.abs() < 1e-12 * from.abs().max(to.abs()) {
+                return 0.0;
+            }
             format!("{number:.12e}").parse().unwrap_or(number)
         }
     };
@@ -319,7 +322,8 @@ mod tests {
         assert_eq!(usual(&keys::BODY, "rotation", 30.0), [-15.0, 75.0]);
         assert_eq!(usual(&keys::BODY, "radius", 0.5), [0.25, 1.0]);
         assert_eq!(usual(&keys::LIGHT, "intensity", 0.0), [0.0, 1.0]);
-        assert_eq!(usual(&keys::MATERIAL, "reflection", 0.1), [0.0, 1.0]);
+        assert_eq!(usual(&keys::MATERIAL, "reflection", 0.1), [0.05, 0.2]);
+        assert_eq!(usual(&keys::MATERIAL, "roughness", 0.1), [0.0, 1.0]);
         assert_eq!(usual(&keys::TRACING, "generations", 5.0), [2.0, 10.0]);
         assert_eq!(usual(&keys::TRACING, "generations", 1.0), [1.0, 2.0]);
     }
