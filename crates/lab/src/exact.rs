@@ -7,6 +7,7 @@ mod geometry;
 mod inapplicable;
 mod lenses;
 mod mirrors;
+mod parabolas;
 mod probe;
 mod report;
 mod spheres;
@@ -79,6 +80,20 @@ pub enum ExactAnswer {
         /// Where a ray [`MARGINAL`] radii from the line crosses it; `None` if it does so within the ball.
         marginal: Option<ExactDeviation>,
     },
+    /// The focus of a mirror that is a paraboloid of revolution: all light along the axis is mirrored to it or, by the
+    /// outside, as if it came from it. No ray misses it, near the axis or far.
+    ParabolicFocus {
+        /// The mirror.
+        mirror: usize,
+        /// The distance from the vertex, meters: R²/(4H) with the radius R of the rim and the height H.
+        focal_length: f64,
+        /// Whether the light is mirrored by the outside, and the focus lies behind the mirror.
+        is_virtual: bool,
+        /// By a ray a tenth of the rim's radius from the axis.
+        near: ExactDeviation,
+        /// By a ray [`MARGINAL`] of the rim's radius from the axis.
+        marginal: ExactDeviation,
+    },
     /// The point of a body where the eye sees the middle of a light mirrored: the middle of its highlight.
     Highlight {
         /// The body.
@@ -102,13 +117,14 @@ impl ExactAnswer {
             Self::Focus { paraxial, marginal, .. } => {
                 paraxial.found.or(marginal.as_ref().and_then(|marginal| marginal.found)).is_some()
             }
+            Self::ParabolicFocus { near, marginal, .. } => near.found.or(marginal.found).is_some(),
             Self::Highlight { off, .. } => off.is_some(),
             Self::Ring { images, .. } => images.iter().any(|image| image.miss.is_some()),
         }
     }
 }
 
-/// How far from the axis the marginal ray of [`ExactAnswer::Focus`] runs, in radii.
+/// How far from the axis the marginal rays of [`ExactAnswer::Focus`] and [`ExactAnswer::ParabolicFocus`] run, in radii.
 pub const MARGINAL: f64 = 0.7;
 
 /// A point by the laws of optics, and by the tracer.
@@ -175,6 +191,7 @@ pub fn answers_for(scene: &Scene, body: Option<usize>) -> ExactAnswers {
     mirrors::answer(&setting, &mut found.answers);
     spheres::answer(&setting, &mut found);
     lenses::answer(&setting, &mut found);
+    parabolas::answer(&setting, &mut found.answers);
     let lights = scene.lights.iter().enumerate().map(|(place, light)| match light.name.as_str() {
         "" => format!("light {}", place + 1),
         name => catoptric_scene::quoted_name(name),
@@ -207,6 +224,8 @@ struct ExactSetup<'a> {
     objects: Vec<PlacedBody<'a>>,
     /// Transparent balls.
     lenses: Vec<PlacedBody<'a>>,
+    /// Parabolic mirrors.
+    dishes: Vec<PlacedBody<'a>>,
     /// Bodies with a highlight.
     glossy: Vec<PlacedBody<'a>>,
     is_cut: bool,
@@ -228,6 +247,7 @@ impl<'a> ExactSetup<'a> {
             rough_and_curved: Vec::new(),
             objects: Vec::new(),
             lenses: Vec::new(),
+            dishes: Vec::new(),
             glossy: Vec::new(),
             is_cut: false,
         };
@@ -251,6 +271,9 @@ impl<'a> ExactSetup<'a> {
             let is_lens = is_clear && material.ior().is_some_and(|ior| ior > 1.0);
             if is_meant && is_lens && matches!(body.shape, Shape::Sphere { .. }) {
                 keep(&mut setting.lenses, place, &mut setting.is_cut);
+            }
+            if is_meant && parabolas::is_mirror(body, material) {
+                keep(&mut setting.dishes, place, &mut setting.is_cut);
             }
             if is_meant && material.has_highlight() && !is_around {
                 keep(&mut setting.glossy, place, &mut setting.is_cut);

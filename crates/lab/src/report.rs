@@ -11,9 +11,10 @@ mod study;
 mod tables;
 mod texts;
 
+pub use csv::points_csv;
 pub use language::{Language, UnknownLanguage};
 
 pub use page::{PageError, PageSettings, page};
 pub use plot::{Plot, PlotAxis, PlotCurve, PlotMark, Scale, Tick};
 pub use raster::{RasterError, rasterize};
-pub use study::{MeasurementReport, law_lines, machine_rows, study, time_plot};
+pub use study::{MeasurementFigure, MeasurementReport, figures, law_lines, machine_rows, study};

@@ -46,6 +46,7 @@ impl Example {
         "anamorphosis",
         "anamorphic-cone",
         "concave-mirror",
+        "parabolic-mirror",
         "falloff",
         "colored-lights",
         "still-life",

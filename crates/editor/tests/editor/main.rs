@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may panic as tests may")]
 
 mod actions;
+mod addresses;
 mod clipboard;
 mod common;
 mod document;

@@ -105,6 +105,13 @@ impl Probe {
         tree.get(beyond).map(|ray| self.line(ray))
     }
 
+    /// The ray that has come in through one face and was mirrored by the next from within.
+    pub(super) fn reflected_within(&self, from: DVec3, direction: DVec3) -> Option<Line> {
+        let tree = self.tree(from, direction, 32);
+        let within = child(&tree, 0, RayKind::Refracted)?;
+        tree.get(child(&tree, within, RayKind::Reflected)?).map(|ray| self.line(ray))
+    }
+
     fn line(&self, ray: &RayRecord) -> Line {
         let (point, direction) = (ray.origin, Vec3::from(ray.ray.direction).as_dvec3());
         // In double precision, single precision's unit vectors are not quite that.

@@ -43,6 +43,7 @@ fn bodies_of(answer: &ExactAnswer) -> Vec<usize> {
         | ExactAnswer::ReflectionPoint { mirror, body, .. } => vec![mirror, body],
         ExactAnswer::Ring { mirrors: [first, second], body, .. } => vec![first, second, body],
         ExactAnswer::Focus { body, .. } | ExactAnswer::Highlight { body, .. } => vec![body],
+        ExactAnswer::ParabolicFocus { mirror, .. } => vec![mirror],
     }
 }
 
@@ -122,6 +123,13 @@ fn write_answer(text: &mut String, names: &ExactAnswers, answer: &ExactAnswer) {
             if let Some(marginal) = marginal {
                 compare(text, "marginal", marginal);
             }
+        }
+        ExactAnswer::ParabolicFocus { mirror, focal_length, is_virtual, near, marginal } => {
+            let kind = if *is_virtual { "Virtual focus" } else { "Focus" };
+            let mirror = names.body(*mirror);
+            title(format!("{kind} of the parabolic mirror {mirror}: {focal_length:.6} m from its vertex"));
+            compare(text, "near axis", near);
+            compare(text, "marginal", marginal);
         }
         ExactAnswer::Highlight { body, light, point: at, off } => {
             title(format!("Highlight of {} on {}", names.light(*light), names.body(*body)));
@@ -203,6 +211,10 @@ fn one(names: &ExactAnswers, answer: &ExactAnswer) -> Value {
         ExactAnswer::Focus { body: of, focal_length, paraxial, marginal } => json!({
             "kind": "focus", "body": body(of), "focal_length": focal_length,
             "paraxial": compared(paraxial), "marginal": marginal.as_ref().map(compared),
+        }),
+        ExactAnswer::ParabolicFocus { mirror, focal_length, is_virtual, near, marginal } => json!({
+            "kind": "parabolic-focus", "mirror": body(mirror), "focal_length": focal_length,
+            "virtual": is_virtual, "near": compared(near), "marginal": compared(marginal),
         }),
         ExactAnswer::Highlight { body: of, light, point, off } => json!({
             "kind": "highlight", "body": body(of),

@@ -3,13 +3,17 @@
 use std::fmt;
 
 use catoptric_scene::format::keys;
-use catoptric_scene::{AddressError, ScenePath};
+use catoptric_scene::format::spec::{KeySpec, Kind, Limits};
+use catoptric_scene::{AddressError, Language, ScenePath};
 use catoptric_tracer::raster::Method;
 
 use super::parameter::{Parameter, Value};
 
 /// The most points of a sweep.
 pub(super) const MOST_POINTS: usize = 10_000;
+
+/// The longest range of a key that is swept as a whole if nothing is said.
+const SHORT_RANGE: f64 = 10.0;
 
 /// What a sweep varies.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -100,7 +104,8 @@ impl Variable {
             return Ok(vec![parameter.value(text).map_err(wrong)?]);
         }
         match text.split_once("..").and_then(|(from, to)| Some((from.trim().parse().ok()?, to))) {
-            Some((from, to)) => evenly(from, to)
+            Some((from, to)) => read_range(from, to)
+                .map(|numbers| numbers.into_iter().map(|number| Value::Setting(number.into())).collect())
                 .ok_or_else(|| wrong("give a range as FROM..TO:COUNT, such as 0.1..1:10".to_owned())),
             None => Ok(vec![Value::Setting(text.parse()?)]),
         }
@@ -115,23 +120,30 @@ impl Variable {
     }
 }
 
-/// Numbers at equal distances, the ends of the range included; `to` is followed by a colon and their number.
-fn evenly(from: f64, to: &str) -> Option<Vec<Value>> {
+/// The numbers of a range; `to` is followed by a colon and their number.
+fn read_range(from: f64, to: &str) -> Option<Vec<f64>> {
     let (to, count) = to.split_once(':')?;
-    let to: f64 = to.trim().parse().ok()?;
-    let count: usize = count.trim().parse().ok().filter(|count| (2..=MOST_POINTS).contains(count))?;
+    evenly([from, to.trim().parse().ok()?], count.trim().parse().ok()?)
+}
+
+/// Numbers at equal distances, the ends of the range included; `None` where an end is no number, or for fewer than two
+/// numbers or too many.
+fn evenly([from, to]: [f64; 2], count: usize) -> Option<Vec<f64>> {
     let at = |step: usize| match step {
         0 => from,
         step if step + 1 == count => to,
         step => {
             let part = step as f64 / (count - 1) as f64;
             let number = from * (1.0 - part) + to * part;
-            // Without what rounding adds: 0.2, not 0.19999999999999998.
+            // Without what rounding adds: 0.2, not 0.19999999999999998, and 0, not 5e-17.
+            if number.abs() < 1e-12 * from.abs().max(to.abs()) {
+                return 0.0;
+            }
             format!("{number:.12e}").parse().unwrap_or(number)
         }
     };
-    let values = (0..count).map(|step| Value::Setting(at(step).into()));
-    (from.is_finite() && to.is_finite()).then(|| values.collect())
+    let is_range = from.is_finite() && to.is_finite() && (2..=MOST_POINTS).contains(&count);
+    is_range.then(|| (0..count).map(at).collect())
 }
 
 /// The parts of a text between commas that do not stand in quotes.
@@ -185,6 +197,40 @@ impl Axis {
         Ok(axes)
     }
 
+    /// A number of the scene over a range: `count` numbers at equal distances, both ends included. Those of a key that
+    /// takes whole numbers are rounded, and each stands once. `None` where an end is no number, or for fewer than two
+    /// numbers or too many.
+    pub fn over(path: ScenePath, key: &KeySpec, range: [f64; 2], count: usize) -> Option<Self> {
+        let mut numbers = evenly(range, count)?;
+        if let Kind::Integer(_) = key.kind {
+            numbers.iter_mut().for_each(|number| *number = number.round());
+            numbers.dedup();
+        }
+        let values = numbers.into_iter().map(|number| Value::Setting(number.into())).collect();
+        Some(Self { variable: Variable::Setting(path), values })
+    }
+
+    /// A range to begin with around a number that a key of the format has now: all of a short range such as 0…1, half to
+    /// twice a length or an amount, 45 degrees or a unit to both sides of what can be negative.
+    pub fn usual_range(key: &KeySpec, value: f64) -> [f64; 2] {
+        let limits = key.limits().unwrap_or(Limits::PLACE);
+        let around = match key.unit(Language::English) {
+            Some("degrees") => 45.0,
+            _ => value.abs().max(1.0),
+        };
+        let range = if limits.max - limits.min <= SHORT_RANGE {
+            [limits.min, limits.max]
+        } else if limits.min < 0.0 {
+            [value - around, value + around]
+        } else if value > 0.0 {
+            [0.5 * value, 2.0 * value]
+        } else {
+            [0.0, 1.0]
+        };
+        let range = if let Kind::Integer(_) = key.kind { [range[0].floor(), range[1].ceil()] } else { range };
+        range.map(|end| end.clamp(limits.min, limits.max))
+    }
+
     /// One parameter or two different ones.
     pub(super) fn check(axes: &[Self]) -> Result<(), AxisError> {
         match axes {
@@ -206,6 +252,8 @@ impl Axis {
 
 #[cfg(test)]
 mod tests {
+    use catoptric_scene::format::spec::TableSpec;
+
     use super::*;
 
     fn read(text: &str) -> String {
@@ -243,6 +291,41 @@ mod tests {
             read("bodies.0.radius=0.1..1:10,materials.a.texture=../a.png"),
             "bodies.0.radius: 0.1 0.2 0.3 0.4 0.5 0.6 0.7 0.8 0.9 1; materials.a.texture: ../a.png"
         );
+    }
+
+    #[test]
+    fn a_number_of_the_scene_has_a_range() {
+        let over = |table: &'static TableSpec, key: &str, range, count| {
+            let axis = Axis::over("camera.fov".parse().unwrap(), table.key(key).unwrap(), range, count)?;
+            Some(axis.values.iter().filter_map(Value::number).collect::<Vec<_>>())
+        };
+        let fov = |range, count| over(&keys::CAMERA, "fov", range, count);
+        assert_eq!(fov([20.0, 60.0], 5), Some(vec![20.0, 30.0, 40.0, 50.0, 60.0]));
+        assert_eq!(fov([1.0, -0.5], 4), Some(vec![1.0, 0.5, 0.0, -0.5]));
+        let generations = |range, count| over(&keys::TRACING, "generations", range, count);
+        assert_eq!(generations([1.0, 3.0], 9), Some(vec![1.0, 2.0, 3.0]));
+        for (range, count) in
+            [([0.0, f64::NAN], 3), ([f64::INFINITY, 0.0], 3), ([0.0, 1.0], 1), ([0.0, 1.0], 10_001)]
+        {
+            assert_eq!(fov(range, count), None);
+        }
+    }
+
+    #[test]
+    fn usual_ranges_are_within_the_limits_and_around_the_number() {
+        let usual =
+            |table: &'static TableSpec, key: &str, value| Axis::usual_range(table.key(key).unwrap(), value);
+        assert_eq!(usual(&keys::CAMERA, "fov", 27.0), [13.5, 54.0]);
+        assert_eq!(usual(&keys::CAMERA, "fov", 150.0), [75.0, 179.9]);
+        assert_eq!(usual(&keys::CAMERA, "position", 8.0), [0.0, 16.0]);
+        assert_eq!(usual(&keys::BODY, "position", 0.0), [-1.0, 1.0]);
+        assert_eq!(usual(&keys::BODY, "rotation", 30.0), [-15.0, 75.0]);
+        assert_eq!(usual(&keys::BODY, "radius", 0.5), [0.25, 1.0]);
+        assert_eq!(usual(&keys::LIGHT, "intensity", 0.0), [0.0, 1.0]);
+        assert_eq!(usual(&keys::MATERIAL, "reflection", 0.1), [0.05, 0.2]);
+        assert_eq!(usual(&keys::MATERIAL, "roughness", 0.1), [0.0, 1.0]);
+        assert_eq!(usual(&keys::TRACING, "generations", 5.0), [2.0, 10.0]);
+        assert_eq!(usual(&keys::TRACING, "generations", 1.0), [1.0, 2.0]);
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Tables of a measurement for programs: decimal points and English heads in every language.
 
 use super::tables::csv_line;
-use crate::measure::{MeasuredPoint, Measurement, PictureQuestion, Series};
+use crate::measure::{MeasuredPoint, Measurement, PictureQuestion, series};
 
 /// The heads of the columns that say where a point is.
 fn place_heads(measured: &Measurement) -> Vec<String> {
@@ -51,8 +51,9 @@ pub(super) fn runs_csv(measured: &Measurement) -> String {
     text
 }
 
-/// The points with the summary of their measurements and what their pictures answer, a line each.
-pub(super) fn points_csv(curves: &[Series<'_>], measured: &Measurement) -> String {
+/// The points with the summary of their measurements and what their pictures answer, a line each: `points.csv` of a
+/// report.
+pub fn points_csv(measured: &Measurement) -> String {
     let heads = [
         "runs",
         "median_ms",
@@ -72,7 +73,7 @@ pub(super) fn points_csv(curves: &[Series<'_>], measured: &Measurement) -> Strin
     let answers = measured.questions.iter().filter(|question| **question != PictureQuestion::Rays);
     let answers = answers.flat_map(PictureQuestion::columns).collect();
     let mut text = csv_line(&[place_heads(measured), heads.map(str::to_owned).to_vec(), answers].concat());
-    for curve in curves {
+    for curve in series(measured) {
         for (point, summary) in &curve.points {
             let law = curve.law.as_ref().zip(point.number()).map(|(law, x)| format!("{:.4}", law.at(x)));
             let ms = |value: f64| format!("{value:.4}");

@@ -1,5 +1,7 @@
 //! The files of a report on a measurement: data, tables, plots, and the text around them.
 
+mod figures;
+
 use std::borrow::Cow;
 use std::fmt::Write as _;
 
@@ -15,6 +17,8 @@ use crate::machine::Machine;
 use crate::measure::{
     Fit, GrowthLaw, MeasuredPoint, Measurement, Parameter, PictureQuestion, Series, Summary, Variable, series,
 };
+
+pub use figures::{MeasurementFigure, figures};
 
 /// The files of a report, by name.
 #[derive(Clone, Debug)]
@@ -53,7 +57,7 @@ pub fn study(measured: &Measurement, language: Language) -> Result<MeasurementRe
     let chapter = ReportWriter { measured, curves: series(measured), language };
     let mut files = vec![
         ("runs.csv".to_owned(), runs_csv(measured).into_bytes()),
-        ("points.csv".to_owned(), points_csv(&chapter.curves, measured).into_bytes()),
+        ("points.csv".to_owned(), points_csv(measured).into_bytes()),
     ];
     for figure in chapter.figures() {
         let (stem, svg) = (figure.file_stem(), chapter.figure_plot(figure).svg());
@@ -68,11 +72,6 @@ pub fn study(measured: &Measurement, language: Language) -> Result<MeasurementRe
         files,
         laws: chapter.curves.iter().map(|curve| chapter.law_line(curve)).collect(),
     })
-}
-
-/// The plot of the times, with the laws as far as the points tell them: for measurements under way, too.
-pub fn time_plot(measured: &Measurement, language: Language) -> Plot {
-    ReportWriter { measured, curves: series(measured), language }.time_plot()
 }
 
 /// The laws in words, a line for each curve.

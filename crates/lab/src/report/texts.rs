@@ -283,6 +283,21 @@ impl Language {
         format!("{what} {depending}")
     }
 
+    /// What the figure of the times is called.
+    pub(crate) const fn time_name(self) -> &'static str {
+        self.choose("Time", "Время")
+    }
+
+    /// What a question to the pictures is called.
+    pub fn question_name(self, question: PictureQuestion) -> String {
+        match question {
+            PictureQuestion::Mean => self.choose("Mean light", "Средний свет").to_owned(),
+            PictureQuestion::Pixel([x, y]) => format!("{} {x}, {y}", self.choose("Pixel", "Пиксель")),
+            PictureQuestion::Flip => "FLIP".to_owned(),
+            PictureQuestion::Rays => self.choose("Rays", "Лучи").to_owned(),
+        }
+    }
+
     /// The heads of the numbers that a picture answers.
     pub(crate) fn answer_columns(self, question: PictureQuestion) -> Vec<String> {
         let heads: &[&str] = match question {

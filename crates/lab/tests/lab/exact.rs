@@ -9,7 +9,7 @@ use catoptric_lab::exact::{
 use catoptric_optics::METALS;
 use catoptric_scene::{
     Anchor, Attenuation, Body, Camera, Coated, Color, Conductor, Dielectric, Example, Light, Material,
-    MetalOptics, Mirror, Phong, Placement, Projection, RefractiveIndex, Scene, Shape,
+    MetalOptics, Mirror, ParaboloidDepth, Phong, Placement, Projection, RefractiveIndex, Scene, Shape,
 };
 use glam::DVec3;
 use proptest::prelude::*;
@@ -111,8 +111,9 @@ proptest! {
 
 #[test]
 fn the_tracer_agrees_with_the_laws_in_the_examples() {
-    let mut seen = [0; 6];
-    for name in ["ring-of-images", "concave-mirror", "lens", "whitted", "hall-of-mirrors"] {
+    let mut seen = [0; 7];
+    for name in ["ring-of-images", "concave-mirror", "lens", "whitted", "hall-of-mirrors", "parabolic-mirror"]
+    {
         for answer in &answers(&example(name)).answers {
             let near = |difference: Option<f64>, most: f64| {
                 assert!(difference.is_none_or(|difference| difference < most), "{name}: {answer:?}");
@@ -145,6 +146,11 @@ fn the_tracer_agrees_with_the_laws_in_the_examples() {
                 ExactAnswer::Highlight { off, .. } => {
                     near(*off, 1e-5);
                     5
+                }
+                ExactAnswer::ParabolicFocus { near: inner, marginal, .. } => {
+                    near(inner.difference(), 1e-4);
+                    near(marginal.difference(), 1e-5);
+                    6
                 }
             };
             seen[kind] += 1;
@@ -227,7 +233,8 @@ fn a_mirror_that_no_formula_is_for_says_so() {
         [Shape::CONE, Shape::PARABOLOID].map(|shape| body(shape, DVec3::ZERO, material.clone()));
     for mirror in [egg, tube, tip, dish] {
         let found = answers_for(&before_a_mirror(mirror), None);
-        assert_eq!(found.answers, []);
+        let is_focus = |answer: &ExactAnswer| matches!(answer, ExactAnswer::ParabolicFocus { .. });
+        assert!(found.answers.iter().all(is_focus), "{found:?}");
         assert_eq!(found.inapplicable, [Inapplicable::CurvedMirror { mirror: 1 }]);
     }
     // Turned and evenly scaled, a sphere is a ball, and a plane remains one.
@@ -238,6 +245,53 @@ fn a_mirror_that_no_formula_is_for_says_so() {
     for mirror in [big, wide] {
         let found = answers(&before_a_mirror(mirror));
         assert!(!found.answers.is_empty() && found.inapplicable.is_empty());
+    }
+}
+
+#[test]
+fn a_paraboloid_mirrors_all_light_along_its_axis_to_its_focus() {
+    let opaque = mirrors(0.0).remove(0);
+    // The cap lets light in unbent, and the side mirrors it from within.
+    let open =
+        Material::Phong(Phong { ior: 1.0, reflection: Some(0.9), transmission: 1.0, ..Phong::default() });
+    for (material, is_outside) in [(opaque, true), (open, false)] {
+        for (radius, depth) in [(0.5, 1.0), (2.8, 1.96), (3.0, 0.2)] {
+            let shape = Shape::Paraboloid { radius, depth: ParaboloidDepth::Height(depth) };
+            let at = DVec3::new(0.3, -1.0, 2.0);
+            let dish = body(shape, at, material.clone());
+            // Turned, and scaled alike across its axis.
+            let scale = DVec3::new(2.0, 0.7, 2.0);
+            for (mirror, r, h) in [
+                (dish.clone(), radius, depth),
+                (turned(dish.clone(), DVec3::new(40.0, 70.0, -20.0), scale), 2.0 * radius, 0.7 * depth),
+            ] {
+                let axis = mirror.placement.rotation().y_axis;
+                let scene = Scene { bodies: [mirror].into(), ..Scene::default() };
+                let found = answers(&scene);
+                let [ExactAnswer::ParabolicFocus { focal_length, is_virtual, near, marginal, .. }] =
+                    found.answers.as_slice()
+                else {
+                    panic!("{found:?}")
+                };
+                let f = r * r / (4.0 * h);
+                assert!((focal_length - f).abs() < 1e-12 * f && *is_virtual == is_outside);
+                assert!(near.exact.distance(at + f * axis) < 1e-12 * (1.0 + f));
+                for ray in [near, marginal] {
+                    assert!(ray.difference().unwrap() < 1e-4 * f, "{r} {h} {is_outside}: {ray:?}");
+                }
+                assert!(to_text(&found).contains("of the parabolic mirror"));
+                assert_eq!(to_json(&found)["answers"][0]["kind"], "parabolic-focus");
+            }
+            // Flattened, rough or with a cap that bends light, it has no focus.
+            let oval = turned(dish.clone(), DVec3::ZERO, DVec3::new(1.0, 1.0, 1.2));
+            let scene = Scene { bodies: [oval].into(), ..Scene::default() };
+            assert_eq!(answers(&scene).answers, []);
+        }
+    }
+    for material in mirrors(0.2) {
+        let scene =
+            Scene { bodies: [body(Shape::PARABOLOID, DVec3::ZERO, material)].into(), ..Scene::default() };
+        assert_eq!(answers(&scene).answers, []);
     }
 }
 

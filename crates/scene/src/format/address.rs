@@ -16,6 +16,7 @@ pub use value::SceneValue;
 
 use crate::Scene;
 use crate::format::spec::KeySpec;
+use crate::part::ScenePart;
 use resolve::Address;
 
 impl Scene {
@@ -94,5 +95,10 @@ impl Scene {
     /// materials, lights, bodies, each in the order of the format.
     pub fn keys(&self) -> impl Iterator<Item = SceneKey> + '_ {
         listing::keys(self)
+    }
+
+    /// The addresses of one part, as in [`Self::keys`]; none where there is no such part.
+    pub fn keys_of(&self, part: ScenePart) -> Vec<SceneKey> {
+        listing::keys_of(self, part)
     }
 }

@@ -3,8 +3,8 @@
 use catoptric_scene::format::spec::{KeySpec, Kind, Limits};
 use catoptric_scene::{
     AddressError, Body, Dielectric, Language, List, Material, MaterialChoice, Model, NamedMaterial,
-    NoResources, RefractiveIndex, Scene, SceneEdit, SceneKey, ScenePath, SceneValue, Surroundings, read,
-    write,
+    NoResources, RefractiveIndex, Scene, SceneEdit, SceneKey, ScenePart, ScenePath, SceneValue, Surroundings,
+    read, write,
 };
 use proptest::prelude::*;
 
@@ -486,4 +486,29 @@ proptest! {
             }
         }
     }
+}
+
+#[test]
+fn single_numbers_have_addresses() {
+    let scene = scene();
+    let numbers: Vec<String> =
+        scene.keys().flat_map(|key| key.numbers()).map(|path| path.to_string()).collect();
+    for address in
+        ["camera.fov", "bodies.ball.position.y", "bodies.ball.radius", "materials.\"my wood\".color.b"]
+    {
+        assert!(numbers.iter().any(|number| number == address), "{address}");
+    }
+    for address in ["camera.position", "bodies.ball.shape", "bodies.ball.name", "materials.glass.abbe"] {
+        assert!(numbers.iter().all(|number| number != address), "{address}");
+    }
+    for address in &numbers {
+        assert!(matches!(scene.get(&path(address)), Ok(SceneValue::Number(_))), "{address}");
+    }
+    // A part has the addresses that begin with it.
+    let ball = scene.keys_of(ScenePart::Body(0));
+    assert!(!ball.is_empty() && ball.iter().all(|key| key.path.to_string().starts_with("bodies.ball.")));
+    assert_eq!(scene.keys_of(ScenePart::Body(99)), []);
+    let position = ball.iter().find(|key| key.spec.name == "position").unwrap();
+    assert_eq!(position.component(1).map(|path| path.to_string()).as_deref(), Some("bodies.ball.position.y"));
+    assert_eq!(position.component(3), None);
 }

@@ -8,7 +8,7 @@ use catoptric_editor::SceneWriter;
 use catoptric_exchange::{ForeignFormat, ImportOptions};
 use catoptric_platform::files::{self, FileStamp, WriteError};
 use catoptric_platform::time::SystemTime;
-use catoptric_scene::{Diagnostic, Diagnostics, LONGEST_TEXT, LoadedScene, Scene};
+use catoptric_scene::{Diagnostic, Diagnostics, LONGEST_TEXT, LoadedScene, Scene, Severity};
 use catoptric_store::{LoadError, load_partly, save};
 use fluent_bundle::FluentValue;
 
@@ -35,19 +35,37 @@ pub(crate) enum ReadFailure {
     TooLong,
     /// Nothing in it is a scene; the first findings.
     Nothing(Vec<Diagnostic>),
+    /// A scene of another ray tracer has errors.
+    Foreign(ForeignRefusal),
     Other(String),
 }
 
-/// Reads the file at `path`.
-pub(crate) fn read(path: &Path) -> Result<OpenedScene, ReadFailure> {
+/// The errors of a scene of another ray tracer.
+#[derive(Debug)]
+pub(crate) struct ForeignRefusal {
+    format: ForeignFormat,
+    /// The first ones.
+    errors: Vec<Diagnostic>,
+    /// How many there are besides.
+    more: usize,
+    /// Whether it can be opened approximately.
+    pub(crate) is_approximable: bool,
+}
+
+/// The most errors that are listed.
+const MOST_ERRORS: usize = 3;
+
+/// Reads the file at `path`. In a scene of another ray tracer `is_approximate` replaces what cannot be taken over by
+/// what comes nearest.
+pub(crate) fn read(path: &Path, is_approximate: bool) -> Result<OpenedScene, ReadFailure> {
     // Looked at before reading: what is written meanwhile counts as a change.
     let stamp = FileStamp::of(path);
     if let Some(format) = ForeignFormat::of_path(path) {
-        return read_foreign(path, format, stamp);
+        return read_foreign(path, format, stamp, is_approximate);
     }
     let (reading, text) = load_partly(path).map_err(|error| read_failure(path, error))?;
     if reading.diagnostics.has_errors() && reading.scene == Scene::default() {
-        return Err(ReadFailure::Nothing(reading.diagnostics.iter().take(3).cloned().collect()));
+        return Err(ReadFailure::Nothing(reading.diagnostics.iter().take(MOST_ERRORS).cloned().collect()));
     }
     let (scene, findings) = (reading.scene, reading.diagnostics);
     Ok(OpenedScene { path: path.to_owned(), text: text.into(), scene, findings, stamp, is_foreign: false })
@@ -58,8 +76,12 @@ fn read_foreign(
     path: &Path,
     format: ForeignFormat,
     stamp: Option<FileStamp>,
+    is_approximate: bool,
 ) -> Result<OpenedScene, ReadFailure> {
-    match catoptric_exchange::load(path, format, &ImportOptions::default()) {
+    let load = |is_approximate| {
+        catoptric_exchange::load(path, format, &ImportOptions { is_approximate, ..ImportOptions::default() })
+    };
+    match load(is_approximate) {
         Ok((LoadedScene { scene, text, warnings }, _)) => Ok(OpenedScene {
             path: path.to_owned(),
             text: text.into(),
@@ -69,7 +91,15 @@ fn read_foreign(
             is_foreign: true,
         }),
         Err(LoadError::Diagnostics { diagnostics, .. }) => {
-            Err(ReadFailure::Nothing(diagnostics.iter().take(3).cloned().collect()))
+            let errors = diagnostics.iter().filter(|finding| finding.severity == Severity::Error);
+            let count = errors.clone().count() + diagnostics.omitted();
+            let errors: Vec<Diagnostic> = errors.take(MOST_ERRORS).cloned().collect();
+            Err(ReadFailure::Foreign(ForeignRefusal {
+                format,
+                more: count.saturating_sub(errors.len()),
+                errors,
+                is_approximable: !is_approximate && load(true).is_ok(),
+            }))
         }
         Err(error) => Err(read_failure(path, error)),
     }
@@ -99,14 +129,31 @@ impl ReadFailure {
                 texts.with("read-too-long", &[("path", path), ("limit", (LONGEST_TEXT >> 20).into())])
             }
             Self::Nothing(found) => {
-                let language = texts.language().into();
-                let found: Vec<String> = found.iter().map(|found| found.line_of_text(language)).collect();
-                texts.with("read-nothing", &[("path", path), ("found", found.join("\n").into())])
+                texts.with("read-nothing", &[("path", path), ("found", lines(texts, found).into())])
             }
+            Self::Foreign(refusal) => refusal.in_words(texts, path),
             Self::Other(reason) => {
                 texts.with("read-other", &[("path", path), ("reason", reason.as_str().into())])
             }
         }
+    }
+}
+
+/// Findings with their places, a line each.
+fn lines(texts: &Texts, found: &[Diagnostic]) -> String {
+    let language = texts.language().into();
+    found.iter().map(|finding| finding.line_of_text(language)).collect::<Vec<_>>().join("\n")
+}
+
+impl ForeignRefusal {
+    fn in_words(&self, texts: &Texts, path: FluentValue<'_>) -> String {
+        let mut found = lines(texts, &self.errors);
+        if self.more > 0 {
+            found = format!("{found}\n{}", texts.with("read-more-errors", &[("number", self.more.into())]));
+        }
+        let key = if self.is_approximable { "read-foreign-approximable" } else { "read-foreign" };
+        let format = self.format.name().into();
+        texts.with(key, &[("path", path), ("format", format), ("found", found.into())])
     }
 }
 
@@ -222,6 +269,37 @@ mod tests {
     }
 
     #[test]
+    fn a_scene_of_another_ray_tracer_is_refused_with_its_errors() {
+        let folder = tempfile::tempdir().unwrap();
+        let texts = Texts::new(crate::base::texts::Language::English);
+        let path = folder.path().join("a.rt");
+        let scene = "A 0.2 255,255,255\nC 0,0,5 0,0,-1 70\nL 0,9,0 0.6 255,255,255\nsp 0,0,0 1 255,0,0\n";
+        let refused = |text: &str, is_approximate| {
+            fs::write(&path, text).unwrap();
+            match read(&path, is_approximate) {
+                Err(ReadFailure::Foreign(refusal)) => refusal,
+                other => panic!("{other:?}"),
+            }
+        };
+        let triangle = format!("{scene}tr 0,0,0 1,0,0 0,1,0 255,0,0\n");
+        let refusal = refused(&triangle, false);
+        assert!(refusal.is_approximable);
+        let words = refusal.in_words(&texts, "a.rt".into());
+        for said in ["a.rt", "miniRT", "5:1: error: triangles are not drawn", "pproximately"] {
+            assert!(words.contains(said), "{said}: {words}");
+        }
+        let opened = read(&path, true).unwrap();
+        assert!(opened.is_foreign && !opened.findings.has_errors());
+        assert_eq!(opened.scene.bodies.len(), 1);
+        // What nothing comes near to stays an error.
+        for is_approximate in [false, true] {
+            let refusal = refused("A 0.2 255,255,255\nC 0,0,5\nsp\nsp\nsp\n", is_approximate);
+            assert!(!refusal.is_approximable && refusal.errors.len() == 3 && refusal.more > 0);
+            assert!(refusal.in_words(&texts, "a.rt".into()).contains("more"));
+        }
+    }
+
+    #[test]
     fn every_failure_has_words_in_every_language() {
         use crate::base::texts::Language;
         let path = Path::new("/a/b.toml");
@@ -235,7 +313,15 @@ mod tests {
                 ReadFailure::Nothing(catoptric_scene::read("fov").diagnostics.iter().cloned().collect()),
                 ReadFailure::Other("broken".to_owned()),
             ];
-            for failure in failures {
+            let foreign = [true, false].map(|is_approximable| {
+                ReadFailure::Foreign(ForeignRefusal {
+                    format: ForeignFormat::MiniRt,
+                    errors: catoptric_scene::read("fov").diagnostics.iter().cloned().collect(),
+                    more: 2,
+                    is_approximable,
+                })
+            });
+            for failure in failures.into_iter().chain(foreign) {
                 assert!(failure.in_words(&texts, path).contains("/a/b.toml"), "{failure:?}");
             }
             let path = || path.to_owned();

@@ -21,6 +21,7 @@ use std::sync::Arc;
 
 use catoptric_editor::Editor;
 use catoptric_editor::navigate::CachedCameraRange;
+use catoptric_picture::ToneCurve;
 use catoptric_platform::time::SystemTime;
 use catoptric_scene::{Example, write};
 use egui::{Context, ViewportCommand};
@@ -145,6 +146,11 @@ fn show(studio: &mut Studio, editor: Editor) {
     documents.text_on_disk = None;
     documents.is_partial = false;
     documents.example = None;
+    if let Some(before) = documents.tone_before.take()
+        && studio.view.development.tone_curve == ToneCurve::LinearCodes
+    {
+        studio.view.development.tone_curve = before;
+    }
     studio.view.free_camera = None;
     studio.audit.release();
     studio.view.is_flying = false;
@@ -173,6 +179,9 @@ fn show_opened(studio: &mut Studio, opened: OpenedScene) {
         let title = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         show(studio, Editor::untitled(title, write(&scene), scene));
         studio.editor.mark_unsaved();
+        // Such programs write light as codes.
+        let curve = &mut studio.view.development.tone_curve;
+        studio.documents.tone_before = Some(std::mem::replace(curve, ToneCurve::LinearCodes));
         studio.settings.remember_recent(&path);
         studio.settings.last = Some(LastScene::File(path));
         banner::show_findings(studio, text, findings);

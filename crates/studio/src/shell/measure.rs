@@ -4,6 +4,7 @@ mod export;
 
 use std::sync::Arc;
 
+use catoptric_lab::report::points_csv;
 use egui::Context;
 
 use crate::panels::measure::{MeasureFailure, MeasureTask};
@@ -14,13 +15,31 @@ use crate::state::layout::{self, Pane};
 /// Does `act`.
 pub(crate) fn run(context: &Context, studio: &mut Studio, act: MeasureCommand) {
     match act {
+        MeasureCommand::Vary(path) => {
+            show(studio);
+            studio.panes.measure.vary(studio.editor.scene(), path.as_ref());
+        }
         MeasureCommand::Start => start(context, studio),
         MeasureCommand::Stop => {
             if let Some(running) = &studio.panes.measure.running {
                 running.cancel();
             }
         }
+        MeasureCommand::Copy => {
+            let measuring = &studio.panes.measure;
+            if let Some(measured) = measuring.measured.as_ref().filter(|_| measuring.is_measured()) {
+                context.copy_text(points_csv(measured));
+                studio.toasts.success(studio.texts.get("measure-copied"));
+            }
+        }
         MeasureCommand::Save => export::ask(studio),
+    }
+}
+
+/// Brings the panel to the front.
+fn show(studio: &mut Studio) {
+    if !layout::is_in_front(&studio.layout, Pane::Measure) {
+        layout::set_visible(&mut studio.layout, Pane::Measure, true);
     }
 }
 
@@ -28,9 +47,7 @@ fn start(context: &Context, studio: &mut Studio) {
     if studio.panes.measure.is_running() {
         return;
     }
-    if !layout::is_in_front(&studio.layout, Pane::Measure) {
-        layout::set_visible(&mut studio.layout, Pane::Measure, true);
-    }
+    show(studio);
     if studio.is_rendering() {
         studio.panes.measure.failure = Some(MeasureFailure::Busy);
         return;
@@ -38,7 +55,7 @@ fn start(context: &Context, studio: &mut Studio) {
     let scene = studio.editor.scene();
     let name = studio.editor.title().trim_end_matches(".toml").to_owned();
     let measuring = &mut studio.panes.measure;
-    let started = measuring.plan(scene, name).and_then(|plan| {
+    let started = measuring.plan(scene, name, studio.audit.pin()).and_then(|plan| {
         MeasureTask::start(context, plan).map_err(|error| MeasureFailure::Fault(error.to_string()))
     });
     match started {

@@ -272,9 +272,9 @@ fn lab() -> Vec<MenuItem> {
     entries.extend(commands_of([CompareCommand::Swap, CompareCommand::Save].map(compare)));
     entries.push(MenuItem::Line);
     entries.push(MenuItem::Do(WindowCommand::TogglePane(Pane::Measure).into()));
-    entries.extend(commands_of(
-        [MeasureCommand::Start, MeasureCommand::Stop, MeasureCommand::Save].map(measure),
-    ));
+    entries.extend(commands_of([MeasureCommand::Vary(None), MeasureCommand::Start].map(measure)));
+    entries
+        .extend(commands_of([MeasureCommand::Stop, MeasureCommand::Copy, MeasureCommand::Save].map(measure)));
     entries
 }
 

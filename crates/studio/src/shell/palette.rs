@@ -1,12 +1,12 @@
 //! The command palette: a field to type into, and everything that fits.
 
 mod entries;
-mod fuzzy;
 
 use egui::accesskit::Role;
 use egui::{Align2, Context, Id, Key, Modal, Modifiers, Rect, ScrollArea, Sense, TextEdit, TextStyle, Ui};
 use egui::{WidgetInfo, pos2, vec2};
 
+use crate::base::fuzzy::Query;
 use crate::base::theme;
 use crate::base::widgets::{paint_icon, paint_line};
 use crate::state::command_context::CommandContext;
@@ -96,7 +96,7 @@ impl OpenPalette {
         if self.searched.as_ref() == Some(&self.query) {
             return;
         }
-        let queries = fuzzy::Query::new(&self.query);
+        let queries = Query::new(&self.query);
         let mut found: Vec<(i32, usize)> = self
             .entries
             .iter()

@@ -8,7 +8,7 @@ use catoptric_editor::Action;
 use catoptric_editor::navigate::ViewSide;
 use catoptric_lab::maps::MapKind;
 use catoptric_live::DisplayContent;
-use catoptric_scene::ShapeKind;
+use catoptric_scene::{ScenePath, ShapeKind};
 use catoptric_tracer::raster::MethodKind;
 use egui::{Key, KeyboardShortcut};
 use egui_material_icons::MaterialIcon;
@@ -245,12 +245,16 @@ pub enum CompareCommand {
 }
 
 /// A command of the measurement.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum MeasureCommand {
+    /// Varies the number of the scene at this address; without one, asks for it.
+    Vary(Option<ScenePath>),
     /// Begins to measure.
     Start,
     /// Ends it; what was measured stays.
     Stop,
+    /// Copies the table as CSV.
+    Copy,
     /// Saves report, plots and tables.
     Save,
 }
@@ -357,7 +361,8 @@ impl Command {
         table::ROWS.iter().map(|row| &row.command)
     }
 
-    /// How it is shown; `None` for a command of which there is one for each file, example or thing.
+    /// How it is shown; `None` for a command of which there is one for each file, example, thing or
+    /// number.
     pub fn look(&self) -> Option<&'static CommandStyle> {
         table::ROWS.iter().find(|row| row.command == *self).map(|row| &row.look)
     }

@@ -86,10 +86,11 @@ impl CommandContext<'_> {
             }
             Command::Audit(act) => self.can_audit(*act),
             Command::Compare(CompareCommand::Save) => self.lab.is_some_and(|lab| lab.is_compared),
+            Command::Measure(MeasureCommand::Vary(_)) => !self.view.is_measuring,
             Command::Measure(act) => self.lab.is_some_and(|lab| match act {
-                MeasureCommand::Start => !lab.is_measuring,
+                MeasureCommand::Start | MeasureCommand::Vary(_) => !lab.is_measuring,
                 MeasureCommand::Stop => lab.is_measuring,
-                MeasureCommand::Save => lab.is_measured && !lab.is_measuring,
+                MeasureCommand::Copy | MeasureCommand::Save => lab.is_measured && !lab.is_measuring,
             }),
             Command::Help(HelpCommand::ExampleNote) => self.example_note.is_some(),
             Command::Add(AddCommand::Body(_) | AddCommand::Light | AddCommand::Material)

@@ -2,6 +2,7 @@
 
 mod dialogs;
 mod files;
+mod foreign;
 mod link;
 mod outside;
 mod recovery;

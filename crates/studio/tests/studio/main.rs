@@ -18,6 +18,7 @@ mod monkey;
 mod outliner;
 mod render;
 mod software;
+mod sweeps;
 mod viewport;
 mod window;
 

@@ -232,10 +232,14 @@ command-compare-file-b = Picture file as B…
     .tip = Holds a picture from a file against A.
 command-compare-save = Save the comparison…
     .tip = Saves the comparison as one page that needs nothing else: pictures, maps, numbers, times, reasons.
+command-measure-vary = Vary in a measurement…
+    .tip = Opens the panel of the measurement with this number of the scene, or asks for its address.
 command-measure-start = Start measuring
     .tip = Begins to measure what the panel says; the picture waits meanwhile.
 command-measure-stop = Stop measuring
     .tip = Ends the measurement; what was measured stays.
+command-measure-copy = Copy the measurement
+    .tip = Copies the table as CSV: points, times, and what the pictures answered.
 command-measure-save = Save the measurement…
     .tip = Saves report, plots and tables in a folder: CSV, SVG, PNG, Markdown and LaTeX.
 

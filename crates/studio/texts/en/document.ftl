@@ -91,6 +91,19 @@ read-too-long = { $path } is longer than { $limit } MiB, the longest a scene can
 read-nothing = There is no scene in { $path } that could be read. Choose a scene file (.toml, .rt, .yml, .nff), or mend this one in a text editor:
 
     { $found }
+read-foreign = { $path } cannot be opened as a scene of { $format }. Mend its errors in a text editor:
+
+    { $found }
+read-foreign-approximable = { $path } is a scene of { $format } with what cannot be taken over exactly:
+
+    { $found }
+
+    Opened approximately, it has what comes nearest instead, or lacks it, with a warning for each.
+read-more-errors = { $number ->
+    [one] and { $number } more error
+   *[other] and { $number } more errors
+}
+open-approximately = Open approximately
 read-other = { $path } cannot be read: { $reason }
 
 # What cannot be saved

@@ -410,3 +410,7 @@ color-red-of = { $name }: red
 color-green-of = { $name }: green
 color-blue-of = { $name }: blue
 color-above-white = Brighter than white: a screen shows it clipped.
+copy-address = Copy address
+    .tip = Copies the address of this number, as --set and --vary of the command line take it.
+no-address =
+    .tip = This number follows from others and has no address of its own.

@@ -57,6 +57,7 @@ exact-image = Image in { $mirror }
 exact-sphere-image = Image in { $mirror }, by the mirror equation
 exact-reflection-point = Seen here in { $mirror } (Alhazen’s problem)
 exact-focus = Focal point, { $length } m from the center
+exact-parabolic-focus = Focus of the paraboloid, { $length } m from the vertex
 exact-marginal = Crossing of a ray at 0.7 of the radius
 exact-highlight = Highlight of { $light }
 exact-ring = { $count ->

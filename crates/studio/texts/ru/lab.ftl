@@ -57,6 +57,7 @@ exact-image = Изображение в зеркале «{ $mirror }»
 exact-sphere-image = Изображение в зеркале «{ $mirror }» по формуле зеркала
 exact-reflection-point = Здесь видно в зеркале «{ $mirror }» (задача Альхазена)
 exact-focus = Фокус, { $length } м от центра
+exact-parabolic-focus = Фокус параболоида, { $length } м от вершины
 exact-marginal = Пересечение луча на 0,7 радиуса
 exact-highlight = Блик источника «{ $light }»
 exact-ring = { $count ->

@@ -1,7 +1,7 @@
 //! All addresses of a scene.
 
 use super::path::{PathSegment, ScenePath};
-use super::resolve::record;
+use super::resolve::{component_letters, record};
 use super::value::SceneValue;
 use crate::Scene;
 use crate::format::record::{Datum, Record};
@@ -19,19 +19,39 @@ pub struct SceneKey {
     pub value: Option<SceneValue>,
 }
 
+impl SceneKey {
+    /// The address of one of three numbers, from 0 on; `None` for a value that has no three.
+    pub fn component(&self, index: usize) -> Option<ScenePath> {
+        self.value.as_ref().and_then(SceneValue::three)?;
+        let letter = *component_letters(self.spec)?.get(index)?;
+        let segments = [self.path.segments.as_slice(), &[PathSegment::key(letter)]].concat();
+        Some(ScenePath { segments })
+    }
+
+    /// The addresses of its single numbers: the number itself, and the numbers of a vector or color. None for what is no
+    /// number or has no value.
+    pub fn numbers(&self) -> Vec<ScenePath> {
+        let single = matches!(self.value, Some(SceneValue::Number(_))).then(|| self.path.clone());
+        single.into_iter().chain((0..3).filter_map(|index| self.component(index))).collect()
+    }
+}
+
 /// The addresses of a scene in the order of the format.
 pub(super) fn keys(scene: &Scene) -> impl Iterator<Item = SceneKey> + '_ {
     let parts = [ScenePart::Camera, ScenePart::Environment, ScenePart::Tracing].into_iter();
     let materials = (0..scene.materials.len()).map(ScenePart::Material);
     let lights = (0..scene.lights.len()).map(ScenePart::Light);
     let bodies = (0..scene.bodies.len()).map(ScenePart::Body);
-    parts.chain(materials).chain(lights).chain(bodies).flat_map(|part| {
-        let mut found = Vec::new();
-        if let Some(record) = record(scene, part) {
-            add(&record, &segments(scene, part), &mut found);
-        }
-        found
-    })
+    parts.chain(materials).chain(lights).chain(bodies).flat_map(|part| keys_of(scene, part))
+}
+
+/// The addresses of a part in the order of the format; none where there is no such part.
+pub(super) fn keys_of(scene: &Scene, part: ScenePart) -> Vec<SceneKey> {
+    let mut found = Vec::new();
+    if let Some(record) = record(scene, part) {
+        add(&record, &segments(scene, part), &mut found);
+    }
+    found
 }
 
 /// The beginning of the addresses of a part.

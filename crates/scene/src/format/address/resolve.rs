@@ -192,25 +192,26 @@ fn check_is_own(scene: &Scene, part: ScenePart) -> Result<(), Refusal> {
     }
 }
 
+/// The names of the three numbers of a vector or color; `None` for a key without them.
+pub(super) fn component_letters(key: &KeySpec) -> Option<[&'static str; 3]> {
+    match key.kind {
+        Kind::Vector(_) | Kind::NumberOrVector(_) => Some(["x", "y", "z"]),
+        Kind::Color(_) => Some(["r", "g", "b"]),
+        _ => None,
+    }
+}
+
 /// The place of a number of a vector or color.
 fn component(key: &'static KeySpec, segment: &PathSegment) -> Result<usize, Refusal> {
-    let letter = |letters: [&str; 3]| letters.iter().position(|letter| *letter == segment.text);
-    let named = match key.kind {
-        Kind::Vector(_) | Kind::NumberOrVector(_) => letter(["x", "y", "z"]),
-        Kind::Color(_) => letter(["r", "g", "b"]),
-        _ => return Err(no_part(key, segment)),
-    };
+    let letters = component_letters(key).ok_or_else(|| no_part(key, segment))?;
+    let named = letters.iter().position(|letter| *letter == segment.text);
     named.or(segment.number().filter(|number| *number < 3)).ok_or_else(|| no_part(key, segment))
 }
 
 fn no_part(key: &'static KeySpec, segment: &PathSegment) -> Refusal {
     let finding = refused(Message::NoSuchPart { key: key.name, part: quoted(&segment.text) });
-    let parts = match key.kind {
-        Kind::Vector(_) | Kind::NumberOrVector(_) => ["`x`", "`y`", "`z`"],
-        Kind::Color(_) => ["`r`", "`g`", "`b`"],
-        _ => return finding.with_help(key_help(key)).into(),
-    };
-    let parts = Enumeration::new(parts.map(str::to_owned).to_vec(), Conjunction::And);
+    let Some(letters) = component_letters(key) else { return finding.with_help(key_help(key)).into() };
+    let parts = Enumeration::new(letters.map(|letter| format!("`{letter}`")).to_vec(), Conjunction::And);
     finding.with_help(Message::PartsAre { key: key.name, parts }).into()
 }
 

@@ -74,6 +74,7 @@ pub(super) fn bodies_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut InspectorStat
     let mut sheet = PropertySheet {
         primary,
         things: indices.iter().filter_map(|&index| scene.bodies.get(index)).collect(),
+        part: ScenePart::Body(first),
         subject: subject.clone(),
         id: Id::unique(("inspector-body", item)),
         is_free,

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use catoptric_editor::navigate;
 use catoptric_scene::format::keys;
 use catoptric_scene::format::spec::{KeySpec, Kind, Limits, TableSpec};
-use catoptric_scene::{Camera, Projection};
+use catoptric_scene::{Camera, Projection, ScenePart};
 use egui::{Id, Ui};
 use glam::DVec3;
 
@@ -138,6 +138,7 @@ pub(super) fn camera_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut InspectorStat
     let mut sheet = PropertySheet {
         primary: &scene.camera,
         things: vec![&scene.camera],
+        part: ScenePart::Camera,
         subject: String::new(),
         id: Id::unique("inspector-camera"),
         is_free: true,

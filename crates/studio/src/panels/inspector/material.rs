@@ -305,12 +305,13 @@ fn sheet_ui(
 ) {
     let MaterialGroup { homes, bodies, subject } = *made;
     let things: Vec<&Material> = homes.iter().filter_map(|&home| material_at(scene, home)).collect();
-    let Some(&primary) = things.first() else { return };
+    let (Some(&primary), Some(home)) = (things.first(), homes.first()) else { return };
     let first = bodies.first().copied();
-    let owner = homes.first().and_then(|home| cx.editor.edited().item(home.part()));
+    let owner = cx.editor.edited().item(home.part());
     let mut sheet = PropertySheet {
         primary,
         things,
+        part: home.part(),
         subject: subject.to_owned(),
         id: Id::unique(("inspector-material", owner)),
         is_free: first.is_none_or(|index| !ScenePart::Body(index).is_locked(scene)),

@@ -1,8 +1,8 @@
 //! A sheet of values: the rows of one kind of thing, read from all that are selected and written to all of them.
 
 use catoptric_editor::{Editor, Label, RefusedChange};
-use catoptric_scene::Color;
 use catoptric_scene::format::spec::{KeySpec, Limits, TableSpec};
+use catoptric_scene::{Color, ScenePart};
 use egui::{Id, Ui};
 use glam::DVec3;
 
@@ -17,6 +17,7 @@ use crate::panels::inspector::{InspectorState, RefusalNote};
 use crate::state::context::Cx;
 
 mod color;
+mod menu;
 mod number;
 mod vector;
 
@@ -95,6 +96,8 @@ pub(crate) struct PropertySheet<'s, 'a, T> {
     pub(crate) primary: &'s T,
     /// All, the primary one first.
     pub(crate) things: Vec<&'s T>,
+    /// Where the scene has the primary one: the part, or the part around it.
+    pub(crate) part: ScenePart,
     /// What they are called in the history.
     pub(crate) subject: String,
     /// Which things these are, for the identity of widgets.

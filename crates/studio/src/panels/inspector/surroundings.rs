@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use catoptric_scene::format::keys;
-use catoptric_scene::{Color, Environment, Sky, Surroundings, Tracing};
+use catoptric_scene::{Color, Environment, ScenePart, Sky, Surroundings, Tracing};
 use egui::{Id, Ui};
 
 use super::image::{ImageMenuChoice, OtherChoice};
@@ -112,6 +112,7 @@ pub(super) fn environment_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Inspecto
     let mut sheet = PropertySheet {
         primary: &scene.environment,
         things: vec![&scene.environment],
+        part: ScenePart::Environment,
         subject: String::new(),
         id: Id::unique("inspector-environment"),
         is_free: true,
@@ -157,6 +158,7 @@ pub(super) fn tracing_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut InspectorSta
     let mut sheet = PropertySheet {
         primary: &scene.tracing,
         things: vec![&scene.tracing],
+        part: ScenePart::Tracing,
         subject: String::new(),
         id: Id::unique("inspector-tracing"),
         is_free: true,

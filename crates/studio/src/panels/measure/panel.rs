@@ -1,9 +1,11 @@
 //! The panel of the measurement: the form at the left, the results at the right.
 
+use catoptric_lab::measure::Value;
 use egui::{Align, Button, Layout, ProgressBar, RichText, ScrollArea, Ui, vec2};
-use egui_material_icons::icons::{ICON_PLAY_ARROW, ICON_SAVE, ICON_STOP};
+use egui_material_icons::icons::{ICON_CONTENT_COPY, ICON_PLAY_ARROW, ICON_SAVE, ICON_STOP};
 
 use super::form::{MeasureFormError, expected_key};
+use super::number_axis::address_words;
 use super::task::MeasureFailure;
 use super::{MeasureState, results};
 use crate::base::{theme, words};
@@ -43,7 +45,7 @@ pub(crate) fn measure_ui(ui: &mut Ui, cx: &mut Cx<'_>, measuring: &mut MeasureSt
 
 fn form_ui(ui: &mut Ui, cx: &mut Cx<'_>, measuring: &mut MeasureState) {
     let is_running = measuring.is_running();
-    ui.add_enabled_ui(!is_running, |ui| measuring.form.ui(ui, cx.texts));
+    ui.add_enabled_ui(!is_running, |ui| measuring.form.ui(ui, cx));
     ui.add_space(4.0);
     ui.horizontal_wrapped(|ui| {
         if is_running {
@@ -62,12 +64,17 @@ fn form_ui(ui: &mut Ui, cx: &mut Cx<'_>, measuring: &mut MeasureState) {
                 cx.run(Command::Measure(MeasureCommand::Start));
             }
         }
-        let label = format!("{} {}", ICON_SAVE.codepoint, cx.t("measure-save"));
-        let save = ui.add_enabled(measuring.is_measured(), Button::new(label));
-        let save = save.accessible_name(cx.t("command-measure-save"));
-        let tip = cx.texts.tip("command-measure-save").unwrap_or_default();
-        if save.on_hover_text(tip).on_disabled_hover_text(tip).clicked() {
-            cx.run(Command::Measure(MeasureCommand::Save));
+        for (icon, label, command, act) in [
+            (ICON_CONTENT_COPY, "measure-copy", "command-measure-copy", MeasureCommand::Copy),
+            (ICON_SAVE, "measure-save", "command-measure-save", MeasureCommand::Save),
+        ] {
+            let label = format!("{} {}", icon.codepoint, cx.texts.get(label));
+            let button = ui.add_enabled(measuring.is_measured(), Button::new(label));
+            let button = button.accessible_name(cx.texts.get(command));
+            let tip = cx.texts.tip(command).unwrap_or_default();
+            if button.on_hover_text(tip).on_disabled_hover_text(tip).clicked() {
+                cx.run(Command::Measure(act));
+            }
         }
     });
     progress_ui(ui, cx, measuring);
@@ -77,7 +84,10 @@ fn form_ui(ui: &mut Ui, cx: &mut Cx<'_>, measuring: &mut MeasureState) {
 fn progress_ui(ui: &mut Ui, cx: &Cx<'_>, measuring: &MeasureState) {
     let palette = theme::palette(ui.visuals());
     let Some(running) = &measuring.running else {
-        if let Some(failure) = &measuring.failure {
+        // What is wrong with a number of the scene stands beside its field.
+        let is_beside =
+            |failure: &&MeasureFailure| matches!(failure, MeasureFailure::Form(MeasureFormError::Number(_)));
+        if let Some(failure) = measuring.failure.as_ref().filter(|failure| !is_beside(failure)) {
             ui.add(egui::Label::new(RichText::new(in_words(cx, failure)).color(palette.error)).wrap());
         } else if measuring.measured.as_ref().is_some_and(|measured| !measured.complete) {
             ui.add(egui::Label::new(RichText::new(cx.t("measure-incomplete")).color(palette.warning)).wrap());
@@ -108,6 +118,19 @@ fn in_words(cx: &Cx<'_>, failure: &MeasureFailure) -> String {
                 [("value", value.as_str().into()), ("parameter", language.parameter(*parameter).into())];
             format!("{} {}", cx.texts.with("measure-wrong-value", &arguments), cx.t(expected_key(*parameter)))
         }
+        MeasureFailure::Form(MeasureFormError::Number(fault)) => fault.in_words(cx.texts),
+        MeasureFailure::Setting(value, error) => {
+            let value = language.value_name(&Value::Setting(value.clone()));
+            let reason = address_words(cx.texts, error);
+            let arguments =
+                [("address", error.path().into()), ("value", value.into()), ("reason", reason.into())];
+            cx.texts.with("measure-wrong-setting", &arguments)
+        }
+        MeasureFailure::Pixel([width, height]) => {
+            let size = words::size(*width, *height);
+            cx.texts.with("measure-no-pixel", &[("size", size.into())])
+        }
+        MeasureFailure::Sizes => cx.t("measure-flip-sizes").to_owned(),
         MeasureFailure::Form(MeasureFormError::Twice) => cx.t("measure-twice").to_owned(),
         MeasureFailure::Meaningless(parameter) => {
             cx.texts.with("measure-meaningless", &[("parameter", language.parameter(*parameter).into())])

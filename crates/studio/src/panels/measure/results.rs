@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use catoptric_lab::measure::{Measurement, Series, series};
-use catoptric_lab::report::{Language, Plot, law_lines, machine_rows, time_plot};
+use catoptric_lab::measure::{Measurement, series};
+use catoptric_lab::report::{Language, MeasurementFigure, figures, law_lines, machine_rows};
 use egui::{Align, Grid, Label, Layout, RichText, ScrollArea, TextStyle, Ui, vec2};
 
 use super::{MeasureState, plot};
@@ -25,17 +25,17 @@ enum ResultsTab {
 #[derive(Default)]
 pub(super) struct ResultsView {
     part: ResultsTab,
+    /// The place of the figure that is shown: 0 for the times.
+    figure: usize,
     of: Option<ResultsText>,
 }
 
-/// The plot, laws and table of a measurement in one language.
+/// The plots, tables and laws of a measurement in one language.
 struct ResultsText {
     of: Arc<Measurement>,
     language: Language,
-    plot: Plot,
+    figures: Vec<MeasurementFigure>,
     laws: Vec<String>,
-    heads: Vec<String>,
-    rows: Vec<Vec<String>>,
 }
 
 pub(super) fn results_ui(ui: &mut Ui, cx: &Cx<'_>, measuring: &mut MeasureState) {
@@ -54,13 +54,38 @@ pub(super) fn results_ui(ui: &mut Ui, cx: &Cx<'_>, measuring: &mut MeasureState)
         shown.of = Some(ResultsText::new(measured, language, cx));
     }
     let Some(drawn) = &shown.of else { return };
+    if shown.part == ResultsTab::Machine {
+        let heads = [cx.t("measure-machine").to_owned(), String::new()];
+        return table_ui(ui, "machine", &heads, &machine_rows(&drawn.of.machine, language));
+    }
+    figures_ui(ui, cx, &drawn.figures, &mut shown.figure);
+    let Some(figure) = drawn.figures.get(shown.figure) else {
+        shown.figure = 0;
+        return;
+    };
+    let laws = if shown.figure == 0 { drawn.laws.as_slice() } else { &[] };
     match shown.part {
-        ResultsTab::Plot => plot_ui(ui, drawn),
-        ResultsTab::Table => table_ui(ui, "times", &drawn.heads, &drawn.rows),
-        ResultsTab::Machine => {
-            let heads = [cx.t("measure-machine").to_owned(), String::new()];
-            table_ui(ui, "machine", &heads, &machine_rows(&drawn.of.machine, language));
-        }
+        ResultsTab::Table => table_ui(ui, &figure.name, &figure.heads, &figure.rows),
+        _ => plot_ui(ui, figure, laws),
+    }
+}
+
+/// The choice of what the plot and the table show, where the pictures were asked something.
+fn figures_ui(ui: &mut Ui, cx: &Cx<'_>, figures: &[MeasurementFigure], shown: &mut usize) {
+    if figures.len() < 2 {
+        return;
+    }
+    let choices = figures.iter().enumerate().map(|(value, figure)| ChoiceItem {
+        value,
+        text: figure.name.as_str(),
+        tip: figure.plot.description.as_str(),
+        is_enabled: true,
+    });
+    let choices: Vec<_> = choices.collect();
+    let id = ui.scope_id().with("figure");
+    let width = (110.0 * choices.len() as f32).min(ui.available_width());
+    if let Some(other) = choice_ui(ui, id, cx.t("measure-figure"), width, &choices, Some(*shown)) {
+        *shown = other;
     }
 }
 
@@ -97,45 +122,17 @@ impl ResultsText {
             }
         });
         let laws = laws.filter(|line| line.trim_end_matches(['–', ':', ' ']).chars().count() > 1).collect();
-        let ms = |key: &str| cx.texts.with("measure-in-ms", &[("what", cx.texts.get(key).into())]);
-        let mut heads: Vec<String> =
-            measured.axes.iter().map(|axis| language.variable(&axis.variable).into_owned()).collect();
-        heads.extend([
-            ms("measure-median"),
-            ms("measure-interval"),
-            cx.t("measure-runs").to_owned(),
-            cx.t("measure-outliers").to_owned(),
-            cx.t("measure-rays").to_owned(),
-        ]);
-        let rows = rows(&curves, language);
-        let plot = time_plot(&measured, language);
-        Self { language, plot, laws, heads, rows, of: measured }
+        Self { language, figures: figures(&measured, language), laws, of: measured }
     }
 }
 
-fn rows(curves: &[Series<'_>], language: Language) -> Vec<Vec<String>> {
-    let points = curves.iter().flat_map(|curve| &curve.points);
-    let row = points.map(|(point, summary)| {
-        let mut row: Vec<String> = point.values.iter().map(|value| language.value_name(value)).collect();
-        row.extend([
-            language.significant(summary.median, 4),
-            language.interval(summary.low, summary.high, 3),
-            summary.count.to_string(),
-            summary.outliers.len().to_string(),
-            language.count(point.rays.total()),
-        ]);
-        row
-    });
-    row.collect()
-}
-
 /// The plot, and the laws below it.
-fn plot_ui(ui: &mut Ui, drawn: &ResultsText) {
+fn plot_ui(ui: &mut Ui, figure: &MeasurementFigure, laws: &[String]) {
     let line = ui.text_style_height(&TextStyle::Body) + 3.0;
-    let below = line * drawn.laws.len().min(4) as f32 + 4.0;
+    let below = line * laws.len().min(4) as f32 + 4.0;
     let room = vec2(ui.available_width(), (ui.available_height() - below).max(120.0));
-    ui.allocate_ui(room, |ui| plot::plot_ui(ui, &drawn.plot));
-    for (index, law) in drawn.laws.iter().take(4).enumerate() {
+    ui.allocate_ui(room, |ui| plot::plot_ui(ui, &figure.plot));
+    for (index, law) in laws.iter().take(4).enumerate() {
         ui.horizontal(|ui| {
             plot::key_ui(ui, index);
             ui.add(Label::new(law).truncate()).on_hover_text(law);

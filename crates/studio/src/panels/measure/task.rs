@@ -5,6 +5,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use catoptric_lab::Machine;
 use catoptric_lab::measure::{MeasureError, MeasurePlan, Measurement, Parameter, measure};
 use catoptric_platform::time::{Duration, Instant};
+use catoptric_scene::{AddressError, SceneValue};
 use catoptric_tracer::RenderControl;
 use catoptric_tracer::raster::MethodError;
 use egui::Context;
@@ -20,6 +21,12 @@ const BETWEEN: Duration = Duration::from_millis(500);
 pub(crate) enum MeasureFailure {
     /// What was typed makes no sense.
     Form(MeasureFormError),
+    /// A value of the scene cannot be set.
+    Setting(SceneValue, AddressError),
+    /// A pixel that is asked for is not in a picture of this size.
+    Pixel([u32; 2]),
+    /// Pictures of different sizes have no difference.
+    Sizes,
     /// The method has nothing that the parameter could vary.
     Meaningless(Parameter),
     /// The method cannot draw it.
@@ -127,6 +134,9 @@ impl From<MeasureError> for MeasureFailure {
             MeasureError::Meaningless { parameter, .. } => Self::Meaningless(parameter),
             MeasureError::Method(error) => Self::Method(error),
             MeasureError::Cancelled => Self::Cancelled,
+            MeasureError::Setting { value, source } => Self::Setting(value, source),
+            MeasureError::Pixel { width, height, .. } => Self::Pixel([width, height]),
+            MeasureError::Sizes => Self::Sizes,
             MeasureError::Axis(_) => Self::Form(MeasureFormError::Twice),
             error => Self::Fault(error.to_string()),
         }

@@ -82,6 +82,13 @@ impl AnswerPainter<'_> {
                     self.compared(marginal, texts.get("exact-marginal"));
                 }
             }
+            ExactAnswer::ParabolicFocus { mirror, focal_length, near, marginal, .. } => {
+                let frame = scene.bodies.get(*mirror).map(|body| body.placement.world_from_body());
+                self.dashed(frame.map_or(near.exact, |frame| frame.translation), near.exact);
+                let length = short(texts, *focal_length);
+                let worst = if near.difference() < marginal.difference() { marginal } else { near };
+                self.compared(worst, &texts.with("exact-parabolic-focus", &[("length", length.into())]));
+            }
             ExactAnswer::Highlight { light, point, off, .. } => {
                 let title =
                     texts.with("exact-highlight", &[("light", name(ScenePart::Light(*light)).into())]);

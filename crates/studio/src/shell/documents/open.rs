@@ -12,10 +12,11 @@ use super::{banner, close_guard};
 use crate::base::job::{Job, JobStatus};
 use crate::base::words::name_of;
 use crate::panels::inspector;
-use crate::shell::disk::{self, OpenedScene, OverwriteRule, ReadFailure};
+use crate::shell::disk::{self, ForeignRefusal, OpenedScene, OverwriteRule, ReadFailure};
 use crate::shell::host::FileKind;
 use crate::shell::images;
 use crate::shell::studio::dialogs::MessageDialog;
+use crate::shell::studio::dialogs::question::QuestionDialog;
 use crate::shell::studio::documents::{NextDocument, OpenPurpose, OpenTask};
 use crate::shell::studio::{Studio, file_prompt};
 use crate::state::images::ImageUse;
@@ -23,7 +24,7 @@ use crate::state::images::ImageUse;
 /// Begins to read the file at `path`, to open it instead of the document. Only a file that can be opened leads to the
 /// question what becomes of changes.
 pub(super) fn begin(context: &Context, studio: &mut Studio, path: &Path) {
-    read(context, studio, path, OpenPurpose::Open);
+    read(context, studio, path, OpenPurpose::Open { is_approximate: false });
 }
 
 /// Takes back all changes since the file was saved, as one step.
@@ -56,7 +57,8 @@ fn read(context: &Context, studio: &mut Studio, path: &Path, purpose: OpenPurpos
     // The path must mean the same whatever the folder of the program is later.
     let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
     let read = path.clone();
-    match Job::start(context, "open", move || disk::read(&read)) {
+    let is_approximate = matches!(purpose, OpenPurpose::Open { is_approximate: true });
+    match Job::start(context, "open", move || disk::read(&read, is_approximate)) {
         // A file that was being read is no longer wanted.
         Ok(job) => studio.documents.reading = Some(OpenTask { job, path, purpose }),
         Err(error) => failed(studio, &path, &ReadFailure::Other(error.to_string())),
@@ -76,7 +78,7 @@ pub(super) fn poll(context: &Context, studio: &mut Studio) {
     };
     match (result, reading.purpose) {
         (Err(failure), _) => failed(studio, &reading.path, &failure),
-        (Ok(opened), OpenPurpose::Open) => {
+        (Ok(opened), OpenPurpose::Open { .. }) => {
             close_guard::replace(context, studio, NextDocument::Show(Rc::new(opened)));
         }
         (Ok(opened), OpenPurpose::Revert(document) | OpenPurpose::Reload(document))
@@ -118,7 +120,18 @@ pub(super) fn failed(studio: &mut Studio, path: &Path, failure: &ReadFailure) {
         studio.settings.recent.retain(|recent| recent != path);
     }
     let text = failure.in_words(&studio.texts, path);
-    studio.dialogs.open(MessageDialog::new(studio.texts.get("open-failed"), text));
+    let title = studio.texts.get("open-failed");
+    if !matches!(failure, ReadFailure::Foreign(ForeignRefusal { is_approximable: true, .. })) {
+        studio.dialogs.open(MessageDialog::new(title, text));
+        return;
+    }
+    let path = path.to_owned();
+    let question = QuestionDialog::new(title, text)
+        .choice(studio.texts.get("open-approximately"), move |context, studio| {
+            read(context, studio, &path, OpenPurpose::Open { is_approximate: true });
+        })
+        .choice(studio.texts.get("cancel"), |_, _| {});
+    studio.dialogs.open(question);
 }
 
 /// Opens the first scene file that was dropped on the window.

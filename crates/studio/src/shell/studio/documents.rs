@@ -7,6 +7,7 @@ use std::sync::Arc;
 use std::sync::mpsc::Receiver;
 
 use catoptric_editor::SceneWriter;
+use catoptric_picture::ToneCurve;
 use catoptric_platform::time::Instant;
 use catoptric_scene::Example;
 
@@ -39,6 +40,8 @@ pub(crate) struct Documents {
     /// The example that it is, or was made of.
     pub(crate) example: Option<&'static Example>,
     pub(crate) reading: Option<OpenTask>,
+    /// The tone curve to come back to after a scene of another ray tracer.
+    pub(crate) tone_before: Option<ToneCurve>,
     pub(crate) restoring: Option<RecoveryJob>,
     pub(crate) saving: Option<SceneSaveTask>,
     /// To be saved when the present saving is done.
@@ -90,7 +93,10 @@ pub(crate) struct OpenTask {
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum OpenPurpose {
     /// To be opened instead of the document.
-    Open,
+    Open {
+        /// Whether what cannot be taken over from another ray tracer is replaced by what comes nearest.
+        is_approximate: bool,
+    },
     /// To revert the document with this number.
     Revert(u64),
     /// To take into the document with this number what another program has written.

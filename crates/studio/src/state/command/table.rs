@@ -180,8 +180,10 @@ pub(super) static ROWS: &[CommandRow] = rows! {
         "compare.file-a": Compare(CompareCommand::FileA) => "command-compare-file-a", ICON_IMAGE;
         "compare.file-b": Compare(CompareCommand::FileB) => "command-compare-file-b", ICON_IMAGE;
         "compare.save": Compare(CompareCommand::Save) => "command-compare-save", ICON_SAVE;
+        "measure.vary": Measure(MeasureCommand::Vary(None)) => "command-measure-vary", ICON_SSID_CHART;
         "measure.start": Measure(MeasureCommand::Start) => "command-measure-start", ICON_PLAY_ARROW;
         "measure.stop": Measure(MeasureCommand::Stop) => "command-measure-stop", ICON_STOP;
+        "measure.copy": Measure(MeasureCommand::Copy) => "command-measure-copy", ICON_CONTENT_COPY;
         "measure.save": Measure(MeasureCommand::Save) => "command-measure-save", ICON_SAVE;
     }
     Window: {

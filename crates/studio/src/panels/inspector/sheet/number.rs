@@ -101,6 +101,7 @@ impl<T> PropertySheet<'_, '_, T> {
         let entered = field.show(ui);
         self.cx.view.is_moving |= entered.response.dragged();
         let typed = self.typed(what.key, &entered);
+        self.number_menu(&entered.response, what, None);
         tip_beside(ui, entered.response, tip);
         let default_text = default.map(|value| exact(texts, value)).unwrap_or_default();
         let is_default = default.is_none_or(|default| !is_mixed && value == default);

@@ -137,6 +137,7 @@ impl<T> PropertySheet<'_, '_, T> {
         self.cx.view.is_moving |= entered.response.dragged();
         let full = format!("{letter}  {}{unit}", exact(texts, number));
         let typed = self.typed(vector.what.key, &entered);
+        self.number_menu(&entered.response, &vector.what, Some(axis));
         tip_beside(ui, entered.response, &full);
         typed
     }

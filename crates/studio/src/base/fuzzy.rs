@@ -5,12 +5,12 @@ const LATIN: &str = "qwertyuiop[]asdfghjkl;'zxcvbnm,.`";
 const RUSSIAN: &str = "йцукенгшщзхъфывапролджэячсмитьбюё";
 
 /// A query, also as it would read in the other keyboard layout.
-pub(super) struct Query {
+pub(crate) struct Query {
     readings: Vec<Vec<char>>,
 }
 
 impl Query {
-    pub(super) fn new(text: &str) -> Self {
+    pub(crate) fn new(text: &str) -> Self {
         let typed = folded(text.trim());
         let others = [swapped(&typed, LATIN, RUSSIAN), swapped(&typed, RUSSIAN, LATIN)];
         let mut readings = vec![typed];
@@ -23,7 +23,7 @@ impl Query {
     }
 
     /// How well the best of `names` fits; `None` when none does. A reading in another layout counts less.
-    pub(super) fn best<'a>(&self, names: impl Iterator<Item = &'a str>) -> Option<i32> {
+    pub(crate) fn best<'a>(&self, names: impl Iterator<Item = &'a str>) -> Option<i32> {
         names
             .filter_map(|name| {
                 let name = folded(name);

@@ -1,0 +1,65 @@
+//! Scenes of other ray tracers.
+
+use catoptric_studio::FileCommand;
+use egui_kittest::kittest::NodeT as _;
+
+use super::*;
+
+const MINIRT: &str = "A 0.2 255,255,255
+C 0,0,5 0,0,-1 70
+L 0,9,0 0.6 255,255,255
+sp 0,0,0 1 255,0,0
+";
+
+/// Whether the picture is shown in linear codes, by what the menu of the exposure says.
+fn has_linear_codes(harness: &mut Kit) -> bool {
+    let name = harness.state().texts().get("viewport-exposure").to_owned();
+    harness.get_all_by_label(&name).next().unwrap().click();
+    harness.run_steps(3);
+    let choice = harness.state().texts().get("viewport-tone-linear-codes").to_owned();
+    let toggled = harness.get_by_label(&choice).accesskit_node().toggled();
+    harness.key_press(egui::Key::Escape);
+    harness.run_steps(3);
+    toggled == Some(egui::accesskit::Toggled::True)
+}
+
+#[test]
+fn a_scene_of_another_ray_tracer_is_shown_in_its_codes_and_the_next_one_is_not() {
+    let host = TestHost::new();
+    let (mut harness, own) = with_file(&host, SCENE);
+    std::fs::write(host.path("ball.rt"), MINIRT).unwrap();
+    assert!(!has_linear_codes(&mut harness));
+    run(&mut harness, FileCommand::OpenFile(host.path("ball.rt")));
+    wait_until(&mut harness, "the scene is open", |studio| title(studio) == "ball");
+    assert!(has_linear_codes(&mut harness));
+    run(&mut harness, FileCommand::OpenFile(own));
+    let discard = harness.state().texts().get("do-not-save").to_owned();
+    wait_for(&mut harness, &discard);
+    press(&mut harness, &discard);
+    wait_until(&mut harness, "the own file", |studio| title(studio) == "a.toml");
+    assert!(!has_linear_codes(&mut harness));
+}
+
+#[test]
+fn what_cannot_be_taken_over_exactly_is_opened_approximately_when_asked() {
+    let host = TestHost::new();
+    let (mut harness, _) = with_file(&host, SCENE);
+    let path = host.path("triangle.rt");
+    std::fs::write(&path, format!("{MINIRT}tr 0,0,0 1,0,0 0,1,0 255,0,0\n")).unwrap();
+    run(&mut harness, FileCommand::OpenFile(path.clone()));
+    wait_for(&mut harness, "Open approximately");
+    assert!(tells(&harness, "5:1: error: triangles are not drawn"));
+    press(&mut harness, "Cancel");
+    assert_eq!(title(harness.state()), "a.toml");
+    run(&mut harness, FileCommand::OpenFile(path.clone()));
+    wait_for(&mut harness, "Open approximately");
+    press(&mut harness, "Open approximately");
+    wait_until(&mut harness, "the scene is open", |studio| title(studio) == "triangle");
+    assert_eq!(harness.state().editor().scene().bodies.len(), 1);
+    // What no approximation helps is refused with its errors alone.
+    std::fs::write(&path, "sp\n").unwrap();
+    run(&mut harness, FileCommand::OpenFile(path));
+    wait_for(&mut harness, "miniRT");
+    assert!(!has(&harness, "Open approximately"));
+    assert_eq!(harness.state().texts().missing(), Vec::<String>::new());
+}
