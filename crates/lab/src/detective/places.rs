@@ -99,6 +99,9 @@ impl Offset {
         Self { halves: [x, y], kind: OffsetKind::Moved }
     }
 
+    /// The number of usual ones among [`Self::OTHERS`], which come first.
+    pub(super) const USUAL: usize = 5;
+
     pub(super) const OTHERS: [Self; 15] = [
         Self::moved(-1, -1),
         Self::moved(1, 1),

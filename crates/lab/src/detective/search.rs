@@ -110,7 +110,7 @@ impl<'a> Search<'a> {
     fn next(&self, beam: &[Candidate], round: usize) -> Result<Vec<Candidate>, DetectiveError> {
         let mut moves: Vec<(Explanation, Option<&Candidate>)> = Vec::new();
         for candidate in beam {
-            for explanation in self.moves(&candidate.explanation) {
+            for explanation in self.moves(&candidate.explanation, round) {
                 if !moves.iter().any(|(own, _)| own.is_like(&explanation)) {
                     // What moves pixels makes another last step likely.
                     let is_free = round == 0
@@ -123,7 +123,7 @@ impl<'a> Search<'a> {
         moves.into_par_iter().map(|(explanation, parent)| self.tried(explanation, parent)).collect()
     }
 
-    fn moves(&self, from: &Explanation) -> Vec<Explanation> {
+    fn moves(&self, from: &Explanation, round: usize) -> Vec<Explanation> {
         let mut all = Vec::new();
         let size = from.orientation.upright_size(self.picture.size());
         if from.orientation == Orientation::Upright {
@@ -135,7 +135,10 @@ impl<'a> Search<'a> {
             all.extend(others.map(|window| Explanation { window, ..from.clone() }));
         }
         if from.offset == Offset::default() {
-            all.extend(Offset::OTHERS.map(|offset| Explanation { offset, ..from.clone() }));
+            // Each offset is traced anew: beside other mistakes, only the usual ones are tried.
+            let count = if round == 0 { Offset::OTHERS.len() } else { Offset::USUAL };
+            let others = Offset::OTHERS.into_iter().take(count);
+            all.extend(others.map(|offset| Explanation { offset, ..from.clone() }));
         }
         all.extend(
             self.faults

@@ -25,6 +25,7 @@ pub(super) const SOURCES: &[ManualDocument] = &sources![
     "studio.md",
     "scene-format.md",
     "exchange.md",
+    "check-your-tracer.md",
     "materials.md",
     "surroundings.md",
     "model.md",
