@@ -85,11 +85,14 @@ const BALLS: &str = "R 64 48\nA 0.2 255,255,255\nC 0,0,6 0,0,-1 50\nL 2,6,6 0.7 
 fn a_right_picture_is_right_whatever_its_format() {
     let folder = Folder::new();
     folder.write("a.rt", BALLS);
-    for name in ["a.ppm", "a.png", "a.jpg", "a.exr"] {
+    for name in ["a.ppm", "a.png", "a.exr"] {
         folder.good(&format!("render a.rt -o {name} -q"));
         let told = folder.good(&format!("compare a.rt --pictures {name} -q"));
         assert!(told.starts_with(&format!("{name}: right: 100")), "{told}");
     }
+    // Colors of a small JPEG are blurred at edges.
+    folder.good("render a.rt -o a.jpg -q");
+    folder.good("compare a.rt --pictures a.jpg --allow 0.05 -q");
     folder.good("render a.rt -o srgb.png --tone-curve none -q");
     folder.good("compare a.rt --pictures srgb.png --tone-curve none -q");
     let told = folder.run("compare a.rt --pictures srgb.png -q");
@@ -129,7 +132,7 @@ fn the_worst_pixels_are_audited() {
     let told = folder.run("compare a.rt --pictures b.ppm --pixels 1 --language ru -q");
     assert_eq!(told.status, Some(1), "{told:?}");
     assert!(told.output.starts_with("b.ppm: отличается: ") && told.output.contains("шар 2"), "{told:?}");
-    assert!(told.output.contains("sphere 2"), "the audit of a pixel: {told:?}");
+    assert!(told.output.contains("Ray 1: primary"), "the audit of a pixel: {told:?}");
     for (line, said) in [
         ("compare a.rt --pictures b.ppm -o out", "no method is named"),
         ("compare a.rt --pictures a.rt", "a.rt"),

@@ -74,6 +74,10 @@ pub struct Cluster {
     pub worst: WorstPixel,
 }
 
+/// The least share of pixels that must agree for an explanation to be told.
+const LEAST_AGREED: f64 = 0.5;
+/// A share of pixels by which an explanation may fall behind, since edges count in the one way only.
+const ROUNDING: f64 = 0.002;
 /// The pixels that are judged at once: their trees are not kept.
 const AT_ONCE: usize = 4096;
 /// The most clusters that are told.
@@ -90,15 +94,19 @@ pub(super) fn verdict(
     control: &RenderControl,
 ) -> Result<Verdict, DetectiveError> {
     let right = Explanation::right(settings.curve);
+    let plain = Tally::of(trials, settings, picture, &right, control)?;
+    let before = plain.agreed();
+    let (explanation, after) = match explanation {
+        explanation if *explanation == right => (&right, plain),
+        explanation => {
+            let after = Tally::of(trials, settings, picture, explanation, control)?;
+            let is_worth = after.agreed() >= LEAST_AGREED && after.agreed() + ROUNDING >= before;
+            if is_worth { (explanation, after) } else { (&right, plain) }
+        }
+    };
     let mut mistakes: Vec<Mistake> =
         expected.map(|expected| Mistake::Size { expected, found: picture.size() }).into_iter().collect();
     mistakes.extend(explanation.mistakes(settings.curve));
-    let after = Tally::of(trials, settings, picture, explanation, control)?;
-    let before = if *explanation == right {
-        after.agreed()
-    } else {
-        Tally::of(trials, settings, picture, &right, control)?.agreed()
-    };
     let size = explanation.orientation.upright_size(picture.size());
     Ok(Verdict {
         mistakes,

@@ -59,6 +59,12 @@ impl Verdict {
                 }
             }
         };
+        if self.mistakes.is_empty() && self.agreed < 0.99 {
+            text += language.choose(
+                "; none of the known mistakes explains the rest",
+                "; ни одна из известных ошибок остального не объясняет",
+            );
+        }
         if let Some(cluster) = self.clusters.first().filter(|_| self.agreed < 0.9995) {
             let place = place_in_words(cluster, scene, language);
             text += &match language {
