@@ -50,7 +50,7 @@ pub(crate) enum Command {
     Audit(AuditArguments),
     /// Tell how two pictures differ
     Diff(DiffArguments),
-    /// Draw a scene in several ways and hold them against the first
+    /// Draw a scene in several ways and hold them against the first, or tell what is wrong in a picture of it
     Compare(CompareArguments),
     /// Measure how the time of a picture grows, and name the law
     Measure(MeasureArguments),
@@ -248,10 +248,14 @@ pub(crate) struct DiffArguments {
 The first picture is the truth. A method is one of whitted, ssr, cube-map, phong, gouraud, flat, with settings such as
 ssr:range=5:fallback=cube-map or whitted:generations=2:samples=16.
 
+A scene and pictures without methods: each picture, by whatever ray tracer, is held against the exact one, and what is
+systematically different is found by trying it. Exit status then: 0 right, 1 different, 2 it cannot be compared.
+
 Examples:
   catoptric compare whitted --methods whitted,ssr,cube-map,phong
   catoptric compare hall-of-mirrors --methods whitted,whitted:generations=4 -o hall --language ru
-  catoptric compare --pictures reference.exr,mine.exr")]
+  catoptric compare --pictures reference.exr,mine.exr
+  catoptric compare scene.rt --pictures mine.ppm")]
 pub(crate) struct CompareArguments {
     /// A scene file, or the name of a built-in scene; can be left out when only pictures are compared
     #[arg(value_name = "SCENE", required_unless_present = "pictures")]
@@ -267,18 +271,18 @@ pub(crate) struct CompareArguments {
         required_unless_present = "pictures"
     )]
     pub methods: Vec<Variant>,
-    /// Picture files to compare too, separated by commas: .png or .exr, all of one size; may be given again
+    /// Picture files to compare too, separated by commas, all of one size; may be given again
     #[arg(long, value_name = "FILES")]
     pub pictures: Vec<PathBuf>,
     /// The layer to read of EXR pictures with several
     #[arg(long, value_name = "NAME", requires = "pictures")]
     pub layer: Option<String>,
-    /// The directory for the report, the pictures and the numbers
-    #[arg(short, long, value_name = "DIR", default_value = "compared")]
-    pub output: PathBuf,
-    /// Width and height in pixels
-    #[arg(long, value_name = "WxH", default_value = "640x360")]
-    pub size: Size,
+    /// The directory for the report, the pictures and the numbers; compared by default
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+    /// Width and height in pixels; 640x360 by default, or for pictures without methods what their scene asks for
+    #[arg(long, value_name = "WxH")]
+    pub size: Option<Size>,
     /// Samples per pixel, 1 to 65536
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = value_parser!(u32).range(1..=i64::from(RenderSettings::MAX_SAMPLES)))]
     pub samples: u32,
@@ -288,9 +292,19 @@ pub(crate) struct CompareArguments {
     /// How often each is drawn for its time, after a first time that is not counted, 1 to 1000
     #[arg(long, value_name = "N", default_value_t = 3, value_parser = value_parser!(u32).range(1..=1000))]
     pub runs: u32,
-    /// The largest difference of a channel that counts as equal, in linear light
-    #[arg(long, value_name = "D", default_value = "1/255", allow_negative_numbers = true, value_parser = fraction)]
-    pub tolerance: f64,
+    /// The largest difference of a channel that counts as equal, in linear light, 1/255 by default; for pictures without
+    /// methods in codes, 2/255 by default, and 8/255 for a JPEG
+    #[arg(long, value_name = "D", allow_negative_numbers = true, value_parser = fraction)]
+    pub tolerance: Option<f64>,
+    /// For pictures without methods, the share of pixels that may differ by more, 0 to 1
+    #[arg(long, value_name = "SHARE", default_value_t = 0.01, allow_negative_numbers = true, value_parser = share)]
+    pub allow: f64,
+    /// For pictures without methods, print what was found as JSON
+    #[arg(long, conflicts_with = "methods")]
+    pub json: bool,
+    /// For pictures without methods, audit so many of the worst pixels
+    #[arg(long, value_name = "N", default_value_t = 0, conflicts_with_all = ["methods", "json"])]
+    pub pixels: usize,
     /// The language of the report: en or ru
     #[arg(long, value_name = "LANGUAGE", default_value_t = Language::English)]
     pub language: Language,

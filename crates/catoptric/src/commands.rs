@@ -2,6 +2,7 @@
 
 pub(crate) mod audit;
 pub(crate) mod check;
+mod check_picture;
 pub(crate) mod compare;
 pub(crate) mod convert;
 pub(crate) mod diff;

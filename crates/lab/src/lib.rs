@@ -4,6 +4,7 @@ pub mod audit;
 pub mod cloud;
 pub mod compare;
 pub mod depth;
+pub mod detective;
 pub mod exact;
 mod machine;
 pub mod maps;

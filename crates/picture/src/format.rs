@@ -22,6 +22,8 @@ pub enum PictureFormat {
     Tiff,
     /// Windows bitmap: codes of 8 bits; read only.
     Bmp,
+    /// Netpbm: PPM, PGM, PBM and PAM, codes of 8 or 16 bits as text or bytes; written as PPM of 8 bits.
+    Ppm,
 }
 
 /// The type of a channel's numbers in a written file.
@@ -42,8 +44,8 @@ impl SampleDepth {
 
 impl PictureFormat {
     /// All formats, in the order in which to offer them.
-    pub const ALL: [Self; 7] =
-        [Self::Png, Self::Exr, Self::Jpeg, Self::Hdr, Self::WebP, Self::Tiff, Self::Bmp];
+    pub const ALL: [Self; 8] =
+        [Self::Png, Self::Exr, Self::Jpeg, Self::Hdr, Self::WebP, Self::Tiff, Self::Bmp, Self::Ppm];
 
     /// The name of the format, such as `PNG`.
     pub const fn name(self) -> &'static str {
@@ -55,6 +57,7 @@ impl PictureFormat {
             Self::WebP => "WebP",
             Self::Tiff => "TIFF",
             Self::Bmp => "BMP",
+            Self::Ppm => "PPM",
         }
     }
 
@@ -68,6 +71,7 @@ impl PictureFormat {
             Self::WebP => &["webp"],
             Self::Tiff => &["tif", "tiff"],
             Self::Bmp => &["bmp"],
+            Self::Ppm => &["ppm", "pnm"],
         }
     }
 
@@ -76,7 +80,7 @@ impl PictureFormat {
         match self {
             Self::Png => &[SampleDepth::EIGHT, SampleDepth::SIXTEEN],
             Self::Exr | Self::Hdr => &[SampleDepth::Linear],
-            Self::Jpeg | Self::WebP => &[SampleDepth::EIGHT],
+            Self::Jpeg | Self::WebP | Self::Ppm => &[SampleDepth::EIGHT],
             Self::Tiff => &[SampleDepth::SIXTEEN, SampleDepth::EIGHT, SampleDepth::Linear],
             Self::Bmp => &[],
         }
@@ -149,6 +153,10 @@ impl PictureFormat {
             Some(Self::Tiff)
         } else if starts(b"BM") {
             Some(Self::Bmp)
+        } else if let [b'P', b'1'..=b'7', space, ..] = start
+            && (space.is_ascii_whitespace() || *space == b'#')
+        {
+            Some(Self::Ppm)
         } else {
             None
         }
@@ -177,7 +185,7 @@ mod tests {
     fn what_is_only_read_is_not_offered_for_writing() {
         let (read, written) =
             (PictureFormat::extensions_in_words(false), PictureFormat::extensions_in_words(true));
-        assert_eq!(read, ".png, .exr, .jpg, .jpeg, .hdr, .webp, .tif, .tiff or .bmp");
-        assert_eq!(written, ".png, .exr, .jpg, .jpeg, .hdr, .webp, .tif or .tiff");
+        assert_eq!(read, ".png, .exr, .jpg, .jpeg, .hdr, .webp, .tif, .tiff, .bmp, .ppm or .pnm");
+        assert_eq!(written, ".png, .exr, .jpg, .jpeg, .hdr, .webp, .tif, .tiff, .ppm or .pnm");
     }
 }

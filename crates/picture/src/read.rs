@@ -177,6 +177,8 @@ impl ReadOptions {
     ///   The data window becomes the picture. Not read: deep, subsampled and luminance-chroma pictures.
     /// - JPEG (also progressive, gray, and CMYK without a profile), WebP (also lossy), BMP: 8-bit codes as sRGB.
     ///   The orientation in the Exif data of JPEG and WebP, and in the tags of TIFF, is followed.
+    /// - PPM, PGM, PBM and PAM, as text or bytes: 8- and 16-bit codes as sRGB, brought to the largest one that the file
+    ///   declares.
     /// - TIFF: 8 and 16 bits as sRGB, 32-bit floats as linear light.
     /// - Radiance HDR: linear light, as it is stored (`EXPOSURE` is not divided out). Not read: XYZ.
     ///

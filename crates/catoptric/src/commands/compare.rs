@@ -11,8 +11,8 @@ use catoptric_scene::visible;
 use catoptric_tracer::{RenderControl, RenderSettings};
 use serde_json::{Value, json};
 
-use super::CommandOutcome;
-use crate::arguments::CompareArguments;
+use super::{CommandOutcome, check_picture};
+use crate::arguments::{CompareArguments, Size};
 use crate::backend::threads;
 use crate::console::{json_text, print};
 use crate::files::CommandFiles;
@@ -23,16 +23,23 @@ use crate::progress::Progress;
 const REPORT: &str = "report.html";
 const METRICS: &str = "metrics.json";
 
+/// The size of pictures if none is given.
+const SIZE: Size = Size { width: 640, height: 360 };
+/// The directory of the report if none is given.
+const OUTPUT: &str = "compared";
+
 pub(crate) fn run(arguments: &CompareArguments) -> Result<CommandOutcome> {
-    Picture::check_size(arguments.size.width, arguments.size.height)?;
+    if let (Some(scene), []) = (&arguments.scene, arguments.methods.as_slice()) {
+        return check_picture::run(scene, arguments);
+    }
+    let size = size(arguments);
+    Picture::check_size(size.width, size.height)?;
     let mut files = CommandFiles::default();
     if arguments.scene.is_none() && !arguments.set.edits.is_empty() {
         bail!("--set changes a scene, but only pictures are compared; name a scene");
     }
     let input = arguments.scene.as_deref();
-    let input = input
-        .map(|scene| input::scene(scene, &arguments.set, Some(arguments.size), &mut files))
-        .transpose()?;
+    let input = input.map(|scene| input::scene(scene, &arguments.set, Some(size), &mut files)).transpose()?;
     if let Some(input) = &input
         && !arguments.quiet
     {
@@ -42,7 +49,8 @@ pub(crate) fn run(arguments: &CompareArguments) -> Result<CommandOutcome> {
     if arguments.methods.len() + pictures.len() < 2 {
         bail!("a comparison takes two pictures or more; name more methods or pictures");
     }
-    files.add_directory(&arguments.output, names(arguments, &pictures))?;
+    let output = arguments.output.as_deref().unwrap_or(Path::new(OUTPUT));
+    files.add_directory(output, names(arguments, &pictures))?;
     let pool = threads(arguments.threads.map_or(0, usize::from))?;
     let mut contenders = match &input {
         Some(input) => draw(arguments, input, &pool)?,
@@ -50,33 +58,41 @@ pub(crate) fn run(arguments: &CompareArguments) -> Result<CommandOutcome> {
     };
     contenders.extend(pictures);
     let progress = Progress::new(arguments.quiet);
-    let folder = arguments.output.to_string_lossy();
+    let folder = output.to_string_lossy();
     let compared = progress.of_writing(&folder, || -> Result<MethodComparison> {
-        let compared = compare(contenders, arguments.tolerance)?;
+        let compared = compare(contenders, tolerance(arguments))?;
         let settings = settings(arguments, input.as_ref(), pool.current_num_threads());
         let html = page(&compared, &Machine::here(), &settings)?;
-        let write = |name: &str, bytes: &[u8]| files.write(&arguments.output.join(name), bytes);
+        let write = |name: &str, bytes: &[u8]| files.write(&output.join(name), bytes);
         write(REPORT, html.as_bytes())?;
         write_pictures(&compared, &settings.development, &write)?;
         write(METRICS, json_text(&as_json(&compared)).as_bytes())?;
         Ok(compared)
     })?;
     if !arguments.quiet {
-        let report = arguments.output.join(REPORT);
+        let report = output.join(REPORT);
         print(&format!("{}report: {}\n", summary(&compared), report.display()))?;
     }
     Ok(CommandOutcome::Done)
+}
+
+fn size(arguments: &CompareArguments) -> Size {
+    arguments.size.unwrap_or(SIZE)
+}
+
+fn tolerance(arguments: &CompareArguments) -> f64 {
+    arguments.tolerance.unwrap_or(1.0 / 255.0)
 }
 
 /// The picture files, before anything is drawn: what cannot be read is reported at once.
 fn read_pictures(arguments: &CompareArguments, files: &mut CommandFiles) -> Result<Vec<Contender>> {
     let mut contenders: Vec<Contender> = Vec::new();
     let mut layers = LayerReader::new(arguments.layer.as_deref());
-    for path in arguments.pictures.iter().flat_map(|list| listed_files(list)) {
+    for path in picture_files(arguments) {
         files.add_input(&path)?;
         let picture = layers.read(&path)?;
         let size = match (contenders.first(), &arguments.scene) {
-            (_, Some(_)) => [arguments.size.width, arguments.size.height],
+            (_, Some(_)) => size(arguments).into(),
             (Some(first), None) => [first.picture.width(), first.picture.height()],
             (None, None) => [picture.width(), picture.height()],
         };
@@ -106,12 +122,12 @@ fn draw(
         scene: &input.loaded.scene,
         variants: &arguments.methods,
         settings: RenderSettings {
-            width: arguments.size.width,
-            height: arguments.size.height,
+            width: size(arguments).width,
+            height: size(arguments).height,
             samples: arguments.samples,
         },
         runs: arguments.runs,
-        bound: arguments.tolerance,
+        bound: tolerance(arguments),
     };
     let total = arguments.methods.len() * (arguments.runs as usize + 1);
     let control = RenderControl::default();
@@ -132,6 +148,11 @@ fn settings(arguments: &CompareArguments, input: Option<&NamedScene>, threads: u
         development: arguments.development.development(),
         language: arguments.language,
     }
+}
+
+/// The picture files that are named.
+pub(super) fn picture_files(arguments: &CompareArguments) -> impl Iterator<Item = PathBuf> {
+    arguments.pictures.iter().flat_map(|list| listed_files(list))
 }
 
 /// The files of a list with commas between them. A comma may be a part of a name: as many pieces of the list make one

@@ -76,3 +76,68 @@ fn what_cannot_be_compared_is_refused() {
         assert!(errors.contains(said), "{line}: {errors}");
     }
 }
+
+/// A ball to the left of the middle, and one above it that throws a shadow on it.
+const BALLS: &str = "R 64 48\nA 0.2 255,255,255\nC 0,0,6 0,0,-1 50\nL 2,6,6 0.7 255,255,255\n\
+                     sp -0.6,-0.4,0 3 255,102,51\nsp 0.6,1.6,2 0.8 51,102,255\n";
+
+#[test]
+fn a_right_picture_is_right_whatever_its_format() {
+    let folder = Folder::new();
+    folder.write("a.rt", BALLS);
+    for name in ["a.ppm", "a.png", "a.exr"] {
+        folder.good(&format!("render a.rt -o {name} -q"));
+        let told = folder.good(&format!("compare a.rt --pictures {name} -q"));
+        assert!(told.starts_with(&format!("{name}: right: 100")), "{told}");
+    }
+    // Colors of a small JPEG are blurred at edges.
+    folder.good("render a.rt -o a.jpg -q");
+    folder.good("compare a.rt --pictures a.jpg --allow 0.05 -q");
+    folder.good("render a.rt -o srgb.png --tone-curve none -q");
+    folder.good("compare a.rt --pictures srgb.png --tone-curve none -q");
+    let told = folder.run("compare a.rt --pictures srgb.png -q");
+    assert_eq!(told.status, Some(1));
+    assert!(
+        told.output.contains("codes have the sRGB curve (gamma), though linear ones are expected"),
+        "{told:?}"
+    );
+}
+
+#[test]
+fn mistakes_are_named_with_their_keys() {
+    let folder = Folder::new();
+    folder.write("a.rt", BALLS);
+    folder.good("render a.rt -o wide.ppm --dialect vertical-fov -q");
+    folder.good("render a.rt -o small.ppm --size 32x24 -q");
+    let told = folder.run("compare a.rt --pictures wide.ppm,small.ppm --json -q");
+    assert_eq!(told.status, Some(1), "{told:?}");
+    let value: Value = serde_json::from_str(&told.output).unwrap();
+    assert_eq!(value["right"], false);
+    let [wide, small] = [&value["pictures"][0], &value["pictures"][1]];
+    assert_eq!(wide["mistakes"][0]["key"], "field-of-view-taken-as-vertical", "{value}");
+    assert_eq!(small["mistakes"][0]["key"], "size", "{value}");
+    assert_eq!(small["mistakes"][0]["expected_size"], serde_json::json!([64, 48]));
+    assert!(
+        wide["share_agreeing"].as_f64().unwrap() < 0.9 && wide["share_explained"].as_f64().unwrap() > 0.99
+    );
+}
+
+#[test]
+fn the_worst_pixels_are_audited() {
+    let folder = Folder::new();
+    folder.write("a.rt", BALLS);
+    // Another ball in the place of the small one.
+    folder.write("b.rt", BALLS.replace("0.8 51,102,255", "1.3 51,255,255"));
+    folder.good("render b.rt -o b.ppm -q");
+    let told = folder.run("compare a.rt --pictures b.ppm --pixels 1 --language ru -q");
+    assert_eq!(told.status, Some(1), "{told:?}");
+    assert!(told.output.starts_with("b.ppm: отличается: ") && told.output.contains("шар 2"), "{told:?}");
+    assert!(told.output.contains("Ray 1: primary"), "the audit of a pixel: {told:?}");
+    for (line, said) in [
+        ("compare a.rt --pictures b.ppm -o out", "no method is named"),
+        ("compare a.rt --pictures a.rt", "a.rt"),
+        ("compare a.rt --pictures b.ppm --methods whitted --json", "--json"),
+    ] {
+        assert!(folder.refused(line).contains(said), "{line}");
+    }
+}

@@ -7,6 +7,7 @@
     reason = "helpers of tests may panic as tests may"
 )]
 
+mod acceptance;
 mod challenge;
 mod common;
 mod fuzz;

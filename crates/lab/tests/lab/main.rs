@@ -4,6 +4,7 @@
 mod audit;
 mod comparing;
 mod depth;
+mod detective;
 mod documents;
 mod exact;
 mod maps;

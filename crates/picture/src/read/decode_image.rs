@@ -1,4 +1,4 @@
-//! JPEG, Radiance HDR, WebP, TIFF and BMP to linear light, by the decoders of the `image` crate.
+//! JPEG, Radiance HDR, WebP, TIFF, BMP and PPM to linear light, by the decoders of the `image` crate.
 
 use std::error::Error as _;
 use std::io::{BufRead, ErrorKind, Read, Seek, SeekFrom};
@@ -6,6 +6,7 @@ use std::io::{BufRead, ErrorKind, Read, Seek, SeekFrom};
 use image::codecs::bmp::BmpDecoder;
 use image::codecs::hdr::HdrDecoder;
 use image::codecs::jpeg::JpegDecoder;
+use image::codecs::pnm::PnmDecoder;
 use image::codecs::tiff::TiffDecoder;
 use image::codecs::webp::WebPDecoder;
 use image::metadata::Orientation;
@@ -19,6 +20,8 @@ use crate::picture::{Picture, SizeError};
 
 /// The most bytes that JPEG makes of one: a block of 64 samples may take two bits, and there are planes of fewer.
 const JPEG: u64 = 4096;
+/// The most bytes that PBM makes of one: eight pixels.
+const PBM: u64 = 8;
 /// Bytes of memory that decoders take by themselves for each byte that they give, at most: coefficients of progressive
 /// JPEG, copies of WebP, strips of TIFF.
 const WORK: u64 = 4;
@@ -51,6 +54,11 @@ pub(super) fn decode_image(
             picture_of(decoder, format, options)
         }
         PictureFormat::WebP => picture_of(WebPDecoder::new(source).map_err(refused)?, format, options),
+        PictureFormat::Ppm => {
+            let decoder = PnmDecoder::new(source).map_err(refused)?;
+            check_length(decoder.total_bytes(), length, PBM)?;
+            picture_of(decoder, format, options)
+        }
         PictureFormat::Tiff => picture_of(TiffDecoder::new(source).map_err(refused)?, format, options),
         _ => {
             check_length_of_bmp(&mut source, length)?;

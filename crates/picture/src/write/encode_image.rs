@@ -1,4 +1,4 @@
-//! JPEG, Radiance HDR, WebP and TIFF bytes, by the encoders of the `image` crate.
+//! JPEG, Radiance HDR, WebP, TIFF and PPM bytes, by the encoders of the `image` crate.
 
 use std::borrow::Cow;
 use std::error::Error as _;
@@ -6,6 +6,7 @@ use std::io::{Seek, Write};
 
 use image::codecs::hdr::HdrEncoder;
 use image::codecs::jpeg::JpegEncoder;
+use image::codecs::pnm::{PnmEncoder, PnmSubtype, SampleEncoding};
 use image::codecs::tiff::TiffEncoder;
 use image::codecs::webp::WebPEncoder;
 use image::{ExtendedColorType, ImageEncoder, ImageError};
@@ -23,6 +24,12 @@ pub(super) fn encode_jpeg_to(sink: impl Write, picture: &Developed, quality: u8)
 /// Writes a WebP without loss.
 pub(super) fn encode_webp_to(sink: impl Write, picture: &Developed) -> Result<(), EncodeError> {
     write_codes(WebPEncoder::new_lossless(sink), PictureFormat::WebP, picture)
+}
+
+/// Writes a PPM, its codes as bytes (`P6`).
+pub(super) fn encode_ppm_to(sink: impl Write, picture: &Developed) -> Result<(), EncodeError> {
+    let encoder = PnmEncoder::new(sink).with_subtype(PnmSubtype::Pixmap(SampleEncoding::Binary));
+    write_codes(encoder, PictureFormat::Ppm, picture)
 }
 
 /// Writes an uncompressed TIFF of 8 or 16 bits.

@@ -8,7 +8,7 @@ use catoptric_platform::files::{Sink, WriteError, write_whole};
 use super::EncodeError;
 use super::encode_exr::encode_exr_to;
 use super::encode_image::{
-    encode_hdr_to, encode_jpeg_to, encode_tiff_codes_to, encode_tiff_light_to, encode_webp_to,
+    encode_hdr_to, encode_jpeg_to, encode_ppm_to, encode_tiff_codes_to, encode_tiff_light_to, encode_webp_to,
 };
 use super::encode_png::encode_png_to;
 use crate::develop::{Developed, Development};
@@ -163,6 +163,7 @@ impl PreparedPicture<'_> {
             (Pixels::Light(picture), _) => encode_exr_to(sink, picture),
             (Pixels::Codes(codes), PictureFormat::Jpeg) => encode_jpeg_to(sink, codes, self.quality),
             (Pixels::Codes(codes), PictureFormat::WebP) => encode_webp_to(sink, codes),
+            (Pixels::Codes(codes), PictureFormat::Ppm) => encode_ppm_to(sink, codes),
             (Pixels::Codes(codes), PictureFormat::Tiff) => encode_tiff_codes_to(sink, codes),
             (Pixels::Codes(codes), _) => encode_png_to(sink, codes),
         }

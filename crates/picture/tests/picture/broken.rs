@@ -179,6 +179,8 @@ fn broken_files_of_the_other_formats_are_errors() {
         ("TIFF of floats", saved(PictureFormat::Tiff, Some(SampleDepth::Linear))),
         ("HDR", saved(PictureFormat::Hdr, None)),
         ("BMP", bmp.into_inner()),
+        ("PPM of bytes", saved(PictureFormat::Ppm, None)),
+        ("PPM of text", b"P3\n# made by hand\n2 2\n255\n0 7 15  15 0 7\n3 3 3 255 0 1\n".to_vec()),
     ];
     break_all(&seeds, &["JPEG", "WebP", "TIFF", "BMP"]);
 }

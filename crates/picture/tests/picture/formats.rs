@@ -35,6 +35,7 @@ fn formats_without_loss_bring_back_their_codes() {
         (PictureFormat::Png, SampleDepth::EIGHT),
         (PictureFormat::Png, SampleDepth::SIXTEEN),
         (PictureFormat::WebP, SampleDepth::EIGHT),
+        (PictureFormat::Ppm, SampleDepth::EIGHT),
         (PictureFormat::Tiff, SampleDepth::EIGHT),
         (PictureFormat::Tiff, SampleDepth::SIXTEEN),
     ] {
@@ -61,6 +62,30 @@ fn linear_formats_bring_back_the_light() {
             assert!((value - own.max(0.0)).abs() <= step, "{own} became {value}");
         }
     }
+}
+
+#[test]
+fn text_and_bytes_of_netpbm_are_read() {
+    let light = |code: f64| srgb::decode(code) as f32;
+    let (none, half, full) = (0.0, light(7.0 / 15.0), 1.0);
+    let near = |bytes: &[u8], pixels: &[[f32; 3]]| {
+        let picture = decode(bytes).unwrap();
+        assert_eq!((picture.width(), picture.height() as usize), (2, pixels.len() / 2));
+        for (found, expected) in picture.pixels().iter().flatten().zip(pixels.iter().flatten()) {
+            assert!((found - expected).abs() < 1e-3, "{:?}: {found} for {expected}", bytes.escape_ascii());
+        }
+    };
+    near(b"P3\n# by hand\n2 1\n15\n0 7 15  15 0 7\n", &[[none, half, full], [full, none, half]]);
+    near(b"P2 2 1 15 7 15", &[[half; 3], [full; 3]]);
+    near(b"P1\n2 1\n0 1\n", &[[full; 3], [none; 3]]);
+    near(b"P6\n2 1\n255\n\x00\x77\xff\xff\x00\x77", &[[none, half, full], [full, none, half]]);
+    near(b"P5\n2 1\n65535\n\x77\x77\xff\xff", &[[half; 3], [full; 3]]);
+    for broken in
+        ["P3\n2 1\n255\n0 0 0", "P3 2 1 255 0 0 x 0 0 0", "P6\n9999 9999\n255\n", "P6\n0 1\n255\n", "P6 2"]
+    {
+        assert!(decode(broken.as_bytes()).is_err(), "{broken}");
+    }
+    assert!(matches!(decode(b"P6\n9999 9999\n255\n"), Err(DecodeError::TooShort { .. })));
 }
 
 #[test]

@@ -26,6 +26,7 @@ pub(super) const SOURCES: &[ManualDocument] = &sources![
     "browser.md",
     "scene-format.md",
     "exchange.md",
+    "check-your-tracer.md",
     "materials.md",
     "surroundings.md",
     "model.md",

@@ -1,0 +1,165 @@
+//! From light to the codes of a picture, as programs do it rightly and wrongly.
+
+use std::sync::OnceLock;
+
+/// The curve from light 0…1 to codes 0…1.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum CodeCurve {
+    /// Codes are in proportion to light.
+    #[default]
+    Linear,
+    /// The function of sRGB.
+    Srgb,
+    /// The power 1/2.2.
+    Gamma,
+    /// The square root.
+    SquareRoot,
+    /// The power 2.2: decoded where it should be encoded, or not at all.
+    Darkened,
+    /// x / (1 + x) of the light before it is clamped, without another curve.
+    Reinhard,
+}
+
+impl CodeCurve {
+    pub(super) const ALL: [Self; 6] =
+        [Self::Linear, Self::Srgb, Self::Gamma, Self::SquareRoot, Self::Darkened, Self::Reinhard];
+
+    /// The name in JSON.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Linear => "linear",
+            Self::Srgb => "srgb",
+            Self::Gamma => "gamma-2.2",
+            Self::SquareRoot => "square-root",
+            Self::Darkened => "power-2.2",
+            Self::Reinhard => "reinhard",
+        }
+    }
+
+    fn exact(self, light: f64) -> f64 {
+        match self {
+            Self::Linear | Self::Reinhard => light,
+            Self::Srgb => catoptric_picture::srgb::encode(light),
+            Self::Gamma => light.powf(1.0 / 2.2),
+            Self::SquareRoot => light.sqrt(),
+            Self::Darkened => light.powf(2.2),
+        }
+    }
+
+    /// The light of a code, the inverse of the curve.
+    pub(super) fn light(self, code: f32) -> f32 {
+        let code = f64::from(code);
+        let light = match self {
+            Self::Linear => code,
+            Self::Srgb => catoptric_picture::srgb::decode(code),
+            Self::Gamma => code.powf(2.2),
+            Self::SquareRoot => code * code,
+            Self::Darkened => code.powf(1.0 / 2.2),
+            Self::Reinhard => code / (1.0 - code).max(1e-3),
+        };
+        light as f32
+    }
+
+    /// The code of light.
+    fn code(self, light: f32) -> f32 {
+        /// Steps of the table over the square root of the light: all curves but the last are smooth there.
+        const STEPS: usize = 1024;
+        static TABLES: OnceLock<Vec<Vec<f32>>> = OnceLock::new();
+        match self {
+            Self::Linear => return light.clamp(0.0, 1.0),
+            Self::Reinhard => return light.max(0.0) / (1.0 + light.max(0.0)),
+            _ => {}
+        }
+        let tables = TABLES.get_or_init(|| {
+            let root = |step: usize| step as f64 / STEPS as f64;
+            let table = |curve: &Self| {
+                (0..=STEPS + 1).map(|step| curve.exact(root(step) * root(step)) as f32).collect()
+            };
+            Self::ALL.iter().map(table).collect()
+        });
+        let at = light.clamp(0.0, 1.0).sqrt() * STEPS as f32;
+        let step = at as usize;
+        match tables.get(self as usize).and_then(|table| table.get(step..step + 2)) {
+            Some([low, high]) => low + (high - low) * (at - step as f32),
+            _ => 1.0,
+        }
+    }
+}
+
+/// The last step of a picture: from light to codes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CodeStage {
+    /// The curve.
+    pub curve: CodeCurve,
+    /// What light is multiplied with first.
+    pub factor: f32,
+    /// Whether light is clamped to 1 before it is multiplied.
+    pub is_clamped_first: bool,
+    /// Whether codes above 255 begin again at 0.
+    pub overflows: bool,
+    /// Whether red and blue are exchanged.
+    pub is_blue_first: bool,
+}
+
+impl CodeStage {
+    /// Light as it is, by a curve.
+    pub(super) fn plain(curve: CodeCurve) -> Self {
+        Self { curve, factor: 1.0, is_clamped_first: false, overflows: false, is_blue_first: false }
+    }
+
+    /// The codes of light, parts of the largest.
+    pub(super) fn apply(&self, light: [f32; 3]) -> [f32; 3] {
+        let [red, green, blue] = light.map(|light| {
+            let light = if self.is_clamped_first { light.min(1.0) } else { light };
+            let light = light * self.factor;
+            if self.overflows && light > 1.0 {
+                // The code is cut to a byte; with a curve, the light above 1 has codes above 255, too.
+                let code = self.curve.exact(f64::from(light)) * 255.0;
+                return ((code.floor() % 256.0) / 255.0) as f32;
+            }
+            self.curve.code(light)
+        });
+        if self.is_blue_first { [blue, green, red] } else { [red, green, blue] }
+    }
+
+    /// In how many ways it differs from what is expected.
+    pub(super) fn deviations(&self, expected: CodeCurve) -> usize {
+        usize::from(self.curve != expected)
+            + usize::from(self.factor != 1.0)
+            + usize::from(self.is_clamped_first)
+            + usize::from(self.overflows)
+            + usize::from(self.is_blue_first)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tables_follow_the_formulas_within_a_fifth_of_a_code() {
+        for curve in CodeCurve::ALL {
+            for step in 0..=1000 {
+                let light = step as f32 / 1000.0;
+                let expected = match curve {
+                    CodeCurve::Reinhard => f64::from(light / (1.0 + light)),
+                    curve => curve.exact(f64::from(light)),
+                };
+                let found = curve.code(light);
+                assert!((f64::from(found) - expected).abs() < 0.2 / 255.0, "{curve:?} {light}: {found}");
+                if found < 0.99 {
+                    assert!((curve.light(found) - light).abs() < 2e-3, "{curve:?} {light}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn codes_overflow_and_channels_change_places() {
+        let stage = CodeStage { overflows: true, ..CodeStage::plain(CodeCurve::Linear) };
+        // 1.5 · 255 = 382.5, cut to 382 − 256.
+        assert_eq!(stage.apply([1.5, 0.5, 1.0]), [126.0 / 255.0, 0.5, 1.0]);
+        let stage = CodeStage { is_blue_first: true, factor: 2.0, ..CodeStage::plain(CodeCurve::Linear) };
+        assert_eq!(stage.apply([0.1, 0.2, 0.8]), [1.0, 0.4, 0.2]);
+    }
+}
