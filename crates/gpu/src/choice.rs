@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use catoptric_platform::files;
+
 use crate::error::GpuError;
 
 /// The choice of a graphics card.
@@ -18,7 +20,7 @@ impl GpuChoice {
     /// shows cards as files.
     pub fn is_likely(&self) -> bool {
         const FILES: [&str; 4] = ["/dev/dri", "/dev/nvidiactl", "/dev/dxg", "/dev/mali0"];
-        self.software || !cfg!(target_os = "linux") || FILES.iter().any(|file| Path::new(file).exists())
+        self.software || !cfg!(target_os = "linux") || FILES.iter().any(|file| files::exists(Path::new(file)))
     }
 
     /// The best card that there is: by itself before one that shares the computer's memory, and a software driver last.

@@ -47,7 +47,8 @@ const WRONG_HOST: &str = "This server answers on this machine only, at localhost
 pub(super) fn site(directory: &Path, is_local: bool) -> Result<Router> {
     let root = directory.canonicalize().with_context(|| directory.display().to_string())?;
     let files = EnclosedFiles { root: root.as_path().into() };
-    let mut site = Router::new().fallback_service(ServeDir::with_backend(root, files).precompressed_br().precompressed_gzip());
+    let mut site = Router::new()
+        .fallback_service(ServeDir::with_backend(root, files).precompressed_br().precompressed_gzip());
     if is_local {
         site = site.layer(from_fn(refuse_other_names));
     }
