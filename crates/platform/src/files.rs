@@ -35,8 +35,8 @@ pub use memory::{FileChange, put, take_changes};
 pub use memory::{MemoryFileId as FileId, MemoryFileLock as FileLock};
 pub use status::{FileStamp, FileStatus};
 pub use store::{
-    canonical, check_directory, check_writable, create_folder, create_folders, directory_of_file, is_stream,
-    is_terminal, list, open, read_bytes, read_start, remove, status, write_whole,
+    ARE_SHARED, canonical, check_directory, check_writable, create_folder, create_folders, directory_of_file,
+    is_stream, is_terminal, list, open, read_bytes, read_start, remove, status, write_whole,
 };
 
 /// The target of a file's content.

@@ -20,6 +20,9 @@ pub use identity::FileId;
 pub use input::{directory_of_file, open, read_bytes, read_start};
 pub use lock::FileLock;
 
+/// Whether other programs can change the files.
+pub const ARE_SHARED: bool = true;
+
 /// Asks, before minutes of work, whether `path` can be written: it names a file, its directory exists and
 /// lets files be created (one is created for a moment, and removed), and an existing file is not protected; or it names
 /// a pipe, a device, or a descriptor that is open. `-` is standard output.

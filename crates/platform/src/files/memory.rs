@@ -8,6 +8,9 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use super::{FileStatus, LockMode, Sink, WriteError};
 use crate::time::SystemTime;
 
+/// Whether other programs can change the files.
+pub const ARE_SHARED: bool = false;
+
 /// All files and folders by their paths from the root.
 static STORE: Mutex<Store> = Mutex::new(Store { entries: BTreeMap::new(), changes: BTreeMap::new() });
 

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
 
-use catoptric_platform::files::{FileStamp, read_start};
+use catoptric_platform::files::{self, FileStamp, read_start};
 use catoptric_platform::threads::Thread;
 use catoptric_platform::time::Duration;
 use egui::Context;
@@ -46,7 +46,11 @@ pub(crate) struct FileWatch {
 }
 
 impl FileWatch {
+    /// Watches the file of a document; `None` where nobody else can change it.
     pub(crate) fn start(context: &Context, known: WatchedFile) -> Option<Self> {
+        if !files::ARE_SHARED {
+            return None;
+        }
         let (sender, changes) = mpsc::channel();
         let (look, orders) = mpsc::channel();
         let (watched, context) = (known.clone(), context.clone());
