@@ -31,7 +31,8 @@ const WORDS = {
   },
 };
 
-export const language = navigator.language || "en";
+// Of the link, such as `?lang=ru`, or of the browser.
+export const language = new URLSearchParams(location.search).get("lang") ?? navigator.language ?? "en";
 const chosen = language.toLowerCase().startsWith("ru") ? WORDS.ru : WORDS.en;
 
 export function say(key) {

@@ -57,6 +57,7 @@ fn card(example: &Example, language: Language) -> String {
     format!(
         include_str!("card.html"),
         name = example.name,
+        language = PageWords::of(language).code,
         width = CARD.size.0,
         height = CARD.size.1,
         alt = html(&format!("{before}{title}{after}")),
@@ -118,7 +119,8 @@ mod tests {
             let (file, text) = page(language);
             for example in Example::ALL {
                 let link = format!(
-                    "<a href=\"studio.html#example={}\">{}</a>",
+                    "<a href=\"studio.html?lang={}#example={}\">{}</a>",
+                    PageWords::of(language).code,
                     example.name,
                     title(example, language)
                 );
@@ -131,23 +133,17 @@ mod tests {
 
     #[test]
     fn links_lead_to_what_is_there() {
-        let mut known: BTreeSet<String> = [
-            "studio.html",
-            "index.html",
-            "ru.html",
-            "gallery.css",
-            "icon.png",
-            "pictures/first.jpg",
-            "#scenes",
-        ]
-        .map(str::to_owned)
-        .into();
-        for example in Example::ALL {
-            known.insert(format!("studio.html#example={}", example.name));
-            known.insert(format!("pictures/{}.jpg", example.name));
-        }
+        let always = ["index.html", "ru.html", "gallery.css", "icon.png", "pictures/first.jpg", "#scenes"]
+            .map(str::to_owned);
         for language in Language::ALL {
             let (file, text) = page(language);
+            let studio = format!("studio.html?lang={}", PageWords::of(language).code);
+            let mut known = BTreeSet::from(always.clone());
+            for example in Example::ALL {
+                known.insert(format!("{studio}#example={}", example.name));
+                known.insert(format!("pictures/{}.jpg", example.name));
+            }
+            known.insert(studio);
             let links: BTreeSet<String> =
                 ["href", "src"].iter().flat_map(|name| values(&text, name)).map(str::to_owned).collect();
             assert_eq!(links, known, "{file}");
