@@ -16,7 +16,7 @@ use crate::{licenses, packages};
 pub(crate) enum Extent {
     /// What finds nearly every fault.
     Usual,
-    /// Also `cargo deny`, which takes minutes to build.
+    /// Also `cargo deny` and the laboratory in a browser, which take minutes to build.
     Long,
 }
 
@@ -28,7 +28,7 @@ const SLIM: [&str; 3] = ["--release", "--locked", "--no-default-features"];
 const TARGETS: [(&str, &str); 3] = [
     ("catoptric", "aarch64-apple-darwin"),
     ("catoptric", "x86_64-pc-windows-gnu"),
-    ("catoptric-studio", "wasm32-unknown-unknown"),
+    ("catoptric-web", "wasm32-unknown-unknown"),
 ];
 
 /// Runs everything and says what had to be skipped.
@@ -94,6 +94,9 @@ fn checks(extent: Extent) -> Result<Vec<String>> {
     step("programs in the documentation", || run_cargo(&["test", "--workspace", "--doc", "--locked"]))?;
     if extent == Extent::Long {
         skipped.extend(deny()?);
+        step("the laboratory in a browser", || {
+            run_cargo(&["run", "--package", "xtask", "--features", "web", "--locked", "--", "web", "--check"])
+        })?;
     }
     Ok(skipped)
 }
