@@ -26,7 +26,8 @@ Usage: cargo xtask COMMAND
   dist --try   The same, and try it on a bare Debian system (as root, with debootstrap)
   icons        Make the font of the icons that the studio uses anew (with pyftsubset)
   web          Make the studio for browsers: static files in target/web
-  web --check  The same, and drive it in Chromium (with npm); --check-alone does not make it anew
+               with --small made smaller by Binaryen, with --check driven in Chromium (both installed by npm), with
+               --made as it is there already
   help         List the other commands, those of the workbench: measurements, pictures of the documents
 ";
 
@@ -49,11 +50,9 @@ fn main() -> Result<()> {
 
 #[cfg(feature = "web")]
 fn web(words: &[&str]) -> Result<()> {
-    match words {
-        [] => web::run(web::WebExtent::Made),
-        ["--check"] => web::run(web::WebExtent::Checked),
-        ["--check-alone"] => web::run(web::WebExtent::CheckAlone),
-        _ => bail!("wrong arguments: web {}\n\n{HELP}", words.join(" ")),
+    match web::WebTask::of(words) {
+        Some(task) => web::run(task),
+        None => bail!("wrong arguments: web {}\n\n{HELP}", words.join(" ")),
     }
 }
 

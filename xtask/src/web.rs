@@ -19,14 +19,30 @@ use xtask::shell::{self, command, exists, output};
 const TARGET: &str = "wasm32-unknown-unknown";
 
 /// What is wanted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum WebExtent {
-    /// The site.
-    Made,
-    /// The site, driven in a browser.
-    Checked,
-    /// The site that is there, driven in a browser.
-    CheckAlone,
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct WebTask {
+    /// The site is there already.
+    is_made: bool,
+    /// Binaryen makes the programs smaller and quicker, which takes minutes.
+    is_small: bool,
+    /// The site is driven in Chromium.
+    is_checked: bool,
+}
+
+impl WebTask {
+    /// What these arguments ask for; `None` when one of them is wrong.
+    pub(crate) fn of(words: &[&str]) -> Option<Self> {
+        let mut task = Self::default();
+        for word in words {
+            match *word {
+                "--made" => task.is_made = true,
+                "--small" => task.is_small = true,
+                "--check" => task.is_checked = true,
+                _ => return None,
+            }
+        }
+        Some(task)
+    }
 }
 
 /// One of the two programs: browsers share memory between workers only on pages that are isolated from others.
@@ -61,17 +77,16 @@ const THREADS: Flavor = Flavor {
     builds_std: true,
 };
 
-/// Makes `target/web`, drives it in Chromium if that is wanted, and says what had to be left out.
-pub(crate) fn run(extent: WebExtent) -> Result<()> {
-    if extent != WebExtent::CheckAlone {
-        make()?;
+/// Does what is wanted, and says what had to be left out.
+pub(crate) fn run(task: WebTask) -> Result<()> {
+    if !task.is_made {
+        make(task.is_small)?;
     }
-    if extent == WebExtent::Made {
-        return Ok(());
-    }
-    match check()? {
-        None => println!("the laboratory works in Chromium"),
-        Some(reason) => println!("skipped: the laboratory in Chromium: {reason}"),
+    if task.is_checked {
+        match check()? {
+            None => println!("the laboratory works in Chromium"),
+            Some(reason) => println!("skipped: the laboratory in Chromium: {reason}"),
+        }
     }
     Ok(())
 }
@@ -96,17 +111,17 @@ fn check() -> Result<Option<String>> {
 }
 
 /// Makes `target/web`.
-fn make() -> Result<()> {
+fn make(is_small: bool) -> Result<()> {
     let folder = root().join("target/web");
     if folder.exists() {
         fs::remove_dir_all(&folder).with_context(|| format!("cannot empty {}", folder.display()))?;
     }
     fs::create_dir_all(&folder)?;
     copy_page(&folder)?;
-    build(&SINGLE, &folder)?;
+    build(&SINGLE, &folder, is_small)?;
     let threads = why_no_threads()?;
     match &threads {
-        None => build(&THREADS, &folder)?,
+        None => build(&THREADS, &folder, is_small)?,
         Some(reason) => println!("skipped: several threads: {reason}"),
     }
     let told = [&SINGLE, &THREADS].map(|flavor| {
@@ -132,7 +147,7 @@ fn why_no_threads() -> Result<Option<String>> {
     Ok((!source.exists()).then(|| advice.to_owned()))
 }
 
-fn build(flavor: &Flavor, folder: &Path) -> Result<()> {
+fn build(flavor: &Flavor, folder: &Path, is_small: bool) -> Result<()> {
     println!("== {}", flavor.folder);
     let mut cargo =
         command("cargo", &["build", "--package", "catoptric-web", "--locked", "--profile", "web"]);
@@ -149,7 +164,7 @@ fn build(flavor: &Flavor, folder: &Path) -> Result<()> {
     let mut bindgen = Bindgen::new();
     bindgen.input_path(&program).out_name("studio").typescript(false).remove_name_section(true);
     bindgen.web(true)?.generate(&out).with_context(|| format!("cannot bind {}", program.display()))?;
-    make_small(&self::program(flavor, folder))
+    if is_small { make_small(&self::program(flavor, folder)) } else { Ok(()) }
 }
 
 /// The program, ready to be loaded.
