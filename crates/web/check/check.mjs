@@ -267,6 +267,21 @@ const CHECKS = {
     return other;
   },
 
+  async "work on a link outlives a reload"(browser) {
+    const laboratory = await Laboratory.open(browser);
+    await laboratory.run("file.copy-link");
+    await laboratory.page.waitForTimeout(500);
+    const link = await laboratory.page.evaluate(() => navigator.clipboard.readText());
+    const other = await Laboratory.open(browser, link.slice(link.indexOf("#")));
+    const moved = (await moveBall(other)).scene;
+    await other.until("kept work", (state) => state.isKept);
+    await other.page.waitForTimeout(300);
+    await other.page.reload();
+    await other.shown();
+    await other.until("the work", (state) => state.scene === moved);
+    return other;
+  },
+
   async "a damaged link is told of"(browser) {
     const laboratory = await Laboratory.open(browser, "#view=abc");
     await laboratory.until("the first example", (state) => state.scene.length > 100);

@@ -372,6 +372,11 @@ function announceNewer(registration) {
 
 show(say("loading"), "", 0);
 await Promise.all([store.open(), keepForLater()]);
-start(await optionsOf(location.hash));
+const options = await optionsOf(location.hash);
+if (options.link !== undefined && !isEmbedded) {
+  // It is the person's now: loaded again, the page comes back as it was left, not as the link had it.
+  history.replaceState(null, "", location.pathname + location.search);
+}
+start(options);
 setInterval(ping, 2000);
 window.addEventListener("hashchange", () => location.reload());

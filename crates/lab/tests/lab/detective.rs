@@ -16,9 +16,22 @@ use rayon::prelude::*;
 
 const SIZE: [u32; 2] = [96, 54];
 
-/// A mistake that the faulty tracer or the writer of its picture makes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Made {
+/// The mistakes by name, and all of them.
+macro_rules! mistakes {
+    ($($name:ident),+ $(,)?) => {
+        /// A mistake that the faulty tracer or the writer of its picture makes.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        enum Made {
+            $($name),+
+        }
+
+        impl Made {
+            const ALL: &[Self] = &[$(Self::$name),+];
+        }
+    };
+}
+
+mistakes! {
     NoShadows,
     NoSpecular,
     NoReflection,
@@ -52,37 +65,6 @@ enum Made {
 use Made::*;
 
 impl Made {
-    const ALL: [Self; 28] = [
-        NoShadows,
-        NoSpecular,
-        NoReflection,
-        NoRefraction,
-        NoAmbient,
-        Depth1,
-        Depth2,
-        Clamped,
-        Normals,
-        Acne,
-        HalfPixel,
-        LeftHanded,
-        AngleForWidth,
-        AngleForHeight,
-        InvertedIor,
-        Diameter,
-        Halfway,
-        FlippedDown,
-        UpsideDown,
-        Transposed,
-        Gamma,
-        Gamma22,
-        Darker,
-        Brighter,
-        BlueFirst,
-        Overflow,
-        Size,
-        Resampled,
-    ];
-
     /// The names that are right for it.
     fn keys(self) -> &'static [&'static str] {
         match self {
@@ -318,7 +300,7 @@ struct Case {
 fn cases() -> Vec<Case> {
     let mut all = Vec::new();
     for scene in 0..3 {
-        for made in Made::ALL.into_iter().filter(|made| made.shows(scene)) {
+        for made in Made::ALL.iter().copied().filter(|made| made.shows(scene)) {
             for is_exact in [false, true] {
                 all.push(Case { scene, made: vec![made], is_exact });
             }
@@ -326,7 +308,7 @@ fn cases() -> Vec<Case> {
     }
     let mut pairs = Vec::new();
     for scene in 0..3 {
-        let shown: Vec<Made> = Made::ALL.into_iter().filter(|made| made.shows(scene)).collect();
+        let shown: Vec<Made> = Made::ALL.iter().copied().filter(|made| made.shows(scene)).collect();
         for (index, one) in shown.iter().enumerate() {
             for other in shown.iter().skip(index + 1).filter(|other| other.topic() != one.topic()) {
                 pairs.push(Case { scene, made: vec![*one, *other], is_exact: pairs.len() % 2 == 0 });

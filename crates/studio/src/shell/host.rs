@@ -112,8 +112,7 @@ pub trait Host {
 
     /// Puts a link to this view of a scene into the clipboard; [`StartDocument::Link`](crate::StartDocument::Link) shows
     /// it again. `None` where there are no links.
-    fn copy_link(&mut self, view: String) -> Option<Receiver<LinkOutcome>> {
-        drop(view);
+    fn copy_link(&mut self, _view: String) -> Option<Receiver<LinkOutcome>> {
         None
     }
 
