@@ -199,6 +199,14 @@ fn an_ignored_signal_stays_ignored() {
     let Ok(child) = shell.stderr(std::process::Stdio::piped()).spawn() else {
         return skip("there is no command `nohup`");
     };
+    // Until `nohup` has become the program, it may not yet have asked that the signal be ignored.
+    let started = Instant::now();
+    let name = format!("/proc/{}/comm", child.id());
+    while std::fs::read_to_string(&name).is_ok_and(|name| name.trim_end() != "catoptric")
+        && started.elapsed() < Duration::from_secs(10)
+    {
+        sleep(Duration::from_millis(1));
+    }
     sleep(Duration::from_millis(100));
     signal(&child, "HUP");
     let ran = ended(child);
