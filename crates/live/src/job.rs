@@ -51,6 +51,8 @@ pub struct JobProgress {
     pub fraction: f64,
     /// Time since the start, or of the whole render once it is done.
     pub elapsed: Duration,
+    /// Time of the tracing alone, without the start of threads and the preparation of the scene.
+    pub tracing: Duration,
     /// Time left at the speed so far; `None` before there is a speed.
     pub remaining: Option<Duration>,
     /// Whether there is a result.
@@ -133,12 +135,14 @@ impl RenderJob {
         };
         let fraction = (control.pixels_done() as f64 / pixels.max(1) as f64).min(1.0);
         let done = self.work.done();
-        let tracing = done.tracing_since.map(|since| since.elapsed().as_secs_f64());
-        let left = tracing.map(|seconds| seconds * (1.0 - fraction) / fraction);
+        let elapsed = done.finished.unwrap_or_else(|| start.elapsed());
+        let tracing = done.tracing_since.map(|since| (*start + elapsed).duration_since(since));
+        let left = tracing.map(|time| time.as_secs_f64() * (1.0 - fraction) / fraction);
         let is_finished = done.finished.is_some();
         JobProgress {
             fraction,
-            elapsed: done.finished.unwrap_or_else(|| start.elapsed()),
+            elapsed,
+            tracing: tracing.unwrap_or_default(),
             remaining: if is_finished { Some(Duration::ZERO) } else { left.and_then(duration) },
             is_finished,
         }
