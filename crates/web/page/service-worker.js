@@ -18,7 +18,7 @@ self.addEventListener("message", (event) => {
   const { type, without } = event.data;
   if (type === "keep") {
     // Once the page has what it needs, the rest is kept, too.
-    const files = FILES.filter((name) => !name.startsWith(without));
+    const files = FILES.filter((name) => !without.some((folder) => name.startsWith(`${folder}/`)));
     event.waitUntil(caches.open(CACHE).then((cache) => cache.addAll(files)));
   } else if (type === "take over") {
     self.skipWaiting();

@@ -24,13 +24,27 @@ const again = document.getElementById("again");
 const typing = document.getElementById("typing");
 
 const store = new Store();
-const canShare = self.crossOriginIsolated === true && programs.threads !== null;
 
-// The questions for the state of the studio that have no answer yet, by number.
+// The program that this browser can run best: with several threads where the page may share memory, with relaxed vectors
+// where the browser knows those.
+const program = ["relaxed", "threads", "single"].find((name) => programs[name] && canRun(name));
+const canShare = program !== "single";
+
+// The questions of scripts that the studio has not answered yet, by number.
 const questions = new Map();
+let questionCount = 0;
 
 // The studio that runs: its worker, those of its threads, and its canvas.
 let current = null;
+
+function canRun(name) {
+  // A module with a function that multiplies and adds relaxed vectors.
+  const relaxed = [
+    0, 97, 115, 109, 1, 0, 0, 0, 1, 8, 1, 96, 3, 123, 123, 123, 1, 123, 3, 2, 1, 0, 10, 13, 1, 11, 0, 32, 0, 32, 1, 32,
+    2, 253, 133, 2, 11,
+  ];
+  return name === "single" || (self.crossOriginIsolated && (name === "threads" || WebAssembly.validate(new Uint8Array(relaxed))));
+}
 
 function show(message, detail = "", progress = null) {
   document.getElementById("message").textContent = message;
@@ -86,8 +100,9 @@ function start(options) {
   const sizes = listen(canvas, typing, tell, (files) => take(studio, files));
   studio.stopListening = sizes.stop;
   const processors = canShare ? Math.max(navigator.hardwareConcurrency || 2, 2) : 0;
-  const { bytes } = canShare ? programs.threads : programs.single;
-  const message = { type: "start", canvas: drawing, files: store.files(), options, size: sizes.first, processors, bytes };
+  const { bytes } = programs[program];
+  const parts = { files: store.files(), options, size: sizes.first, processors, folder: program, bytes };
+  const message = { type: "start", canvas: drawing, ...parts };
   worker.postMessage(message, [drawing]);
   canvas.focus();
 }
@@ -97,6 +112,10 @@ function stop(studio) {
   for (const worker of [studio.worker, ...studio.threads]) {
     worker.terminate();
   }
+  for (const { resolve } of questions.values()) {
+    resolve(null);
+  }
+  questions.clear();
   current = null;
 }
 
@@ -145,7 +164,7 @@ function hear(studio, message, worker) {
       show(say("starting"), store.isLasting ? "" : say("noStore"), 0);
       break;
     case "shared":
-      studio.shared = { module: message.module, memory: message.memory };
+      studio.shared = { folder: message.folder, module: message.module, memory: message.memory };
       break;
     case "thread":
       startThread(studio, message);
@@ -157,9 +176,8 @@ function hear(studio, message, worker) {
     case "wake":
       studio.worker.postMessage({ type: "wake" });
       break;
-    case "state":
-      questions.get(message.number)?.(message.state);
-      questions.delete(message.number);
+    case "answer":
+      answer(message);
       break;
     case "pong":
       hearAgain(studio);
@@ -302,17 +320,42 @@ function withdraw() {
   document.getElementById("offer").hidden = true;
 }
 
-// For scripts of the page, and for tests: commands by their names, and how the studio stands.
+// Asks the studio something for a script; `null` when there is none.
+function ask(message) {
+  if (!current) {
+    return Promise.resolve(null);
+  }
+  return new Promise((resolve, reject) => {
+    const number = questionCount++;
+    questions.set(number, { resolve, reject });
+    current.worker.postMessage({ ...message, number });
+  });
+}
+
+function answer({ number, value, error }) {
+  const question = questions.get(number);
+  questions.delete(number);
+  if (error === undefined) {
+    question?.resolve(value);
+  } else {
+    question?.reject(new Error(error));
+  }
+}
+
+// For scripts of the page, and for tests: commands by their names, how the studio stands, what is seen in its window, and
+// pictures.
 self.catoptric = {
   run(command) {
     current?.worker.postMessage({ type: "event", event: { type: "run", command } });
   },
-  state() {
-    return new Promise((resolve) => {
-      const number = questions.size === 0 ? 0 : Math.max(...questions.keys()) + 1;
-      questions.set(number, (state) => resolve(state && JSON.parse(state)));
-      current?.worker.postMessage({ type: "ask", number });
-    });
+  async state() {
+    return JSON.parse(await ask({ type: "ask" }));
+  },
+  async widgets() {
+    return JSON.parse(await ask({ type: "look" }));
+  },
+  picture(order) {
+    return ask({ type: "draw", order: JSON.stringify(order) });
   },
 };
 
@@ -349,7 +392,7 @@ async function keepForLater() {
 }
 
 function keepAll() {
-  const without = canShare ? "single/" : "threads/";
+  const without = Object.keys(programs).filter((name) => name !== program);
   navigator.serviceWorker?.controller?.postMessage({ type: "keep", without });
 }
 

@@ -1,16 +1,19 @@
 // A thread of the studio: a worker that shares its memory, and does one piece of work after the other.
 
-import { initSync, runThread } from "./threads/studio.js";
-
 const STACK = 4 << 20;
 
-let isReady = false;
+let glue = null;
 
-self.onmessage = ({ data: { module, memory, work } }) => {
-  if (!isReady) {
-    initSync({ module, memory, thread_stack_size: STACK });
-    isReady = true;
+self.onmessage = async ({ data: { folder, module, memory, work } }) => {
+  try {
+    if (!glue) {
+      glue = await import(`./${folder}/studio.js`);
+      glue.initSync({ module, memory, thread_stack_size: STACK });
+    }
+    glue.runThread(work);
+    self.postMessage({ type: "ended" });
+  } catch (error) {
+    // The page hears of it as of an error that nobody caught.
+    self.reportError(error);
   }
-  runThread(work);
-  self.postMessage({ type: "ended" });
 };

@@ -6,6 +6,8 @@ let glue = null;
 let studio = null;
 let isHidden = false;
 let frameAt = Infinity;
+// Questions of scripts that wait for a frame: what is answered is how the studio stands after all that has happened.
+const questions = [];
 let timer = 0;
 
 self.onmessage = ({ data }) => {
@@ -27,7 +29,18 @@ self.onmessage = ({ data }) => {
         drawIn(0);
         break;
       case "ask":
-        self.postMessage({ type: "state", number: data.number, state: studio?.state() ?? null });
+        questions.push(data);
+        answerIfCalm();
+        break;
+      case "draw":
+        drawPicture(data);
+        break;
+      case "look":
+        // What is seen is known after a frame that was drawn with the wish to know it.
+        studio?.widgets();
+        questions.push(data);
+        drawIn(0);
+        answerIfCalm();
         break;
       case "ping":
         self.postMessage({ type: "pong" });
@@ -39,15 +52,35 @@ self.onmessage = ({ data }) => {
   });
 };
 
-async function start({ canvas, files, options, size, processors, bytes }) {
+// Draws a picture for a script of the page.
+async function drawPicture({ number, order }) {
+  let picture = null;
+  try {
+    picture = studio.drawPicture(order);
+    let bytes = picture.take();
+    while (!bytes) {
+      await new Promise((resolve) => setTimeout(resolve, 10));
+      bytes = picture.take();
+    }
+    self.postMessage({ type: "answer", number, value: { bytes, milliseconds: picture.milliseconds() } });
+  } catch (error) {
+    self.postMessage({ type: "answer", number, error: String(error?.message ?? error) });
+    attempt(() => {
+      throw error;
+    });
+  } finally {
+    picture?.free();
+  }
+}
+
+async function start({ canvas, files, options, size, processors, folder, bytes }) {
   const hasThreads = processors > 0;
-  const folder = hasThreads ? "./threads" : "./single";
-  glue = await import(`${folder}/studio.js`);
-  const module = await compile(new URL(`${folder}/studio_bg.wasm`, import.meta.url), bytes);
+  glue = await import(`./${folder}/studio.js`);
+  const module = await compile(new URL(`./${folder}/studio_bg.wasm`, import.meta.url), bytes);
   self.postMessage({ type: "starting" });
   const { memory } = glue.initSync(hasThreads ? { module, thread_stack_size: STACK } : { module });
   if (hasThreads) {
-    self.postMessage({ type: "shared", module, memory });
+    self.postMessage({ type: "shared", folder, module, memory });
     glue.useThreads(processors);
   }
   for (const [path, bytes] of files) {
@@ -120,10 +153,24 @@ function draw() {
       self.postMessage({ type: "commands", commands });
     }
     self.postMessage({ type: "frame" });
+    answer();
     if (delay !== null) {
       drawIn(delay);
     }
   });
+}
+
+function answerIfCalm() {
+  if (!studio || frameAt > performance.now() + 100) {
+    answer();
+  }
+}
+
+function answer() {
+  for (const { type, number } of questions.splice(0)) {
+    const value = (type === "ask" ? studio?.state() : studio?.widgets()) ?? null;
+    self.postMessage({ type: "answer", number, value });
+  }
 }
 
 function attempt(work) {

@@ -5,12 +5,13 @@ mod host;
 mod page;
 #[cfg(target_family = "wasm")]
 mod painter;
+mod picture;
 #[cfg(target_family = "wasm")]
 mod studio;
 #[cfg(target_family = "wasm")]
 mod threads;
 
 #[cfg(target_family = "wasm")]
-pub use studio::{WebStudio, put_file, take_changes};
+pub use studio::{WebPicture, WebStudio, put_file, take_changes};
 #[cfg(target_family = "wasm")]
 pub use threads::{run_thread, use_page_threads};

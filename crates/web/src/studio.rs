@@ -8,6 +8,7 @@ use catoptric_platform::threads::processors;
 use catoptric_platform::{files, process};
 use catoptric_studio::host::Host as _;
 use catoptric_studio::{Command, Language, StartDocument, Studio};
+use egui::accesskit::{Node, Rect as NodeRect, TreeUpdate};
 use egui::{
     Context, DroppedFile, FullOutput, HoveredFile, Modifiers, OutputCommand, RawInput, Rect, Theme, Vec2,
     ViewportCommand, ViewportId,
@@ -20,6 +21,7 @@ use web_sys::OffscreenCanvas;
 use crate::host::{PERSONS_FOLDER, PageHost};
 use crate::page::{PageCommand, PageEvent, StartOptions, css_cursor};
 use crate::painter::CanvasPainter;
+use crate::picture::ScriptPicture;
 use crate::threads;
 
 /// The studio, which draws into a canvas.
@@ -38,7 +40,13 @@ pub struct WebStudio {
     /// What the page was told last.
     told: Told,
     images: Vec<egui::ColorImage>,
+    /// What is seen, as a screen reader is told it, once a script has asked.
+    seen: Option<TreeUpdate>,
 }
+
+/// A picture that is being drawn for a script of the page.
+#[wasm_bindgen(js_name = Picture)]
+pub struct WebPicture(ScriptPicture);
 
 /// What the page was told last, so that it is not told again.
 #[derive(Debug, Default, PartialEq)]
@@ -72,6 +80,10 @@ struct StudioState<'a> {
     pixel: Option<[[u32; 2]; 2]>,
     /// How many rays it has.
     rays: Option<usize>,
+    /// The position and the target of the camera that the picture is seen through.
+    view: [[f64; 3]; 2],
+    /// How many pictures there have been.
+    pictures: Option<u64>,
     /// Of the picture shown, per pixel.
     samples: Option<u32>,
     /// Whether the picture is finished.
@@ -79,6 +91,17 @@ struct StudioState<'a> {
     threads: usize,
     /// Where the picture is, CSS pixels: left, top, width, height.
     viewport: Option<[f32; 4]>,
+}
+
+/// Something that is seen in the window.
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct SeenWidget {
+    role: String,
+    name: Option<String>,
+    value: Option<String>,
+    /// Where it is, CSS pixels: left, top, width, height.
+    place: [f64; 4],
 }
 
 /// A file that was dropped, which is in the store by now.
@@ -136,7 +159,7 @@ impl WebStudio {
             studio.show_picture_alone();
         }
         let input = RawInput { max_texture_side: Some(painter.max_texture_side()), ..RawInput::default() };
-        let (size, ratio, told, images) = (Vec2::new(1.0, 1.0), 1.0, Told::default(), Vec::new());
+        let (size, ratio, told) = (Vec2::new(1.0, 1.0), 1.0, Told::default());
         Ok(Self {
             context,
             studio,
@@ -147,7 +170,8 @@ impl WebStudio {
             size,
             ratio,
             told,
-            images,
+            images: Vec::new(),
+            seen: None,
         })
     }
 
@@ -223,7 +247,7 @@ impl WebStudio {
     pub fn state(&mut self) -> Result<String, JsError> {
         let is_kept = self.studio.is_kept();
         let (studio, status) = (&self.studio, self.studio.live().status());
-        let frame = studio.live().latest();
+        let (frame, camera) = (studio.live().latest(), studio.view_camera());
         let state = StudioState {
             scene: studio.editor().writing().text(),
             title: studio.editor().title(),
@@ -238,7 +262,9 @@ impl WebStudio {
                 .collect(),
             pixel: studio.audited_pixel(),
             rays: studio.audit_rays(),
-            samples: frame.map(|frame| frame.samples),
+            view: [camera.position, camera.target].map(Into::into),
+            pictures: frame.as_ref().map(|frame| frame.picture_serial),
+            samples: frame.as_ref().map(|frame| frame.samples),
             is_idle: status.is_idle,
             threads: processors(),
             viewport: studio
@@ -249,6 +275,37 @@ impl WebStudio {
         Ok(serde_json::to_string(&state)?)
     }
 
+    /// Starts to draw a picture for a script; the order is JSON.
+    #[wasm_bindgen(js_name = drawPicture)]
+    pub fn draw_picture(&self, order: &str) -> Result<WebPicture, JsError> {
+        Ok(WebPicture(ScriptPicture::start(self.studio.editor().scene(), order)?))
+    }
+
+    /// What is seen in the window, as JSON; `undefined` when it is first asked for, until the next frame.
+    pub fn widgets(&mut self) -> Result<Option<String>, JsError> {
+        self.context.enable_accesskit();
+        let zoom = f64::from(self.context.zoom_factor());
+        let Some(seen) = &self.seen else { return Ok(None) };
+        let name = |node: &Node| {
+            let own = node.label().map(str::to_owned);
+            own.or_else(|| {
+                let label = node.labelled_by().first()?;
+                let (_, label) = seen.nodes.iter().find(|(id, _)| id == label)?;
+                label.label().or(label.value()).map(str::to_owned)
+            })
+        };
+        let widgets = seen.nodes.iter().filter_map(|(_, node)| {
+            let NodeRect { x0, y0, x1, y1 } = node.bounds()?;
+            Some(SeenWidget {
+                role: format!("{:?}", node.role()),
+                name: name(node),
+                value: node.value().map(str::to_owned),
+                place: [x0, y0, x1 - x0, y1 - y0].map(|length| length * zoom),
+            })
+        });
+        Ok(Some(serde_json::to_string(&widgets.collect::<Vec<_>>())?))
+    }
+
     /// A picture for the clipboard: width, height, and red, green, blue and opacity of every pixel; or `undefined`.
     #[wasm_bindgen(js_name = takeImage)]
     pub fn take_image(&mut self) -> Option<Array> {
@@ -256,6 +313,19 @@ impl WebStudio {
         let [width, height] = image.size.map(|side| JsValue::from(side as u32));
         let bytes: Vec<u8> = image.pixels.iter().flat_map(egui::Color32::to_srgba_unmultiplied).collect();
         Some(Array::of3(&width, &height, &Uint8Array::from(&bytes[..]).into()))
+    }
+}
+
+#[wasm_bindgen(js_class = Picture)]
+impl WebPicture {
+    /// The bytes of its file, once; `undefined` before it is finished.
+    pub fn take(&self) -> Result<Option<Uint8Array>, JsError> {
+        Ok(self.0.take()?.map(|bytes| Uint8Array::from(&bytes[..])))
+    }
+
+    /// How long it was traced, without the start of threads.
+    pub fn milliseconds(&self) -> f64 {
+        self.0.milliseconds()
     }
 }
 
@@ -270,6 +340,7 @@ fn choose_language(host: &PageHost, locale: &str) -> Result<(), JsError> {
 
 impl WebStudio {
     fn tell_page(&mut self, output: egui::PlatformOutput, zoom: f32, commands: &mut Vec<PageCommand>) {
+        self.seen = output.accesskit_update;
         for command in output.commands {
             match command {
                 OutputCommand::CopyText(text) => commands.push(PageCommand::Copy { text }),
