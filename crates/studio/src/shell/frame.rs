@@ -32,7 +32,7 @@ use crate::state::audit::AuditState;
 use crate::state::card::WindowCard;
 use crate::state::exact::ExactState;
 use crate::state::images::DocumentImages;
-use crate::state::layout::{self, Pane};
+use crate::state::layout::{self, Pane, SpareLayouts};
 use crate::state::maps::MapState;
 use crate::state::settings::Settings;
 use crate::state::view::ViewState;
@@ -78,6 +78,7 @@ impl Studio {
             live,
             card: WindowCard::default(),
             layout,
+            spare_layouts: SpareLayouts::default(),
             documents: Documents::default(),
             dialogs: Dialogs::default(),
             palette: CommandPalette::default(),
@@ -250,6 +251,7 @@ impl Studio {
 
     fn panes_ui(&mut self, ui: &mut Ui) {
         let mut layout = std::mem::replace(&mut self.layout, Tree::empty(egui::Id::unique("being drawn")));
+        self.spare_layouts.keep_up(&mut layout, ui.available_size());
         let mut kept = std::mem::take(&mut self.panes);
         let viewport = layout.tiles.find_pane(&Pane::Viewport);
         let rows = layout::fit(&mut layout, ui.available_width(), panes::GAP);

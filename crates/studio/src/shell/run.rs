@@ -130,7 +130,7 @@ fn display(studio: &mut Studio, act: DisplayCommand) {
 fn window(context: &Context, studio: &mut Studio, act: WindowCommand) {
     match act {
         WindowCommand::TogglePane(pane) => toggle(studio, pane),
-        WindowCommand::ResetLayout => studio.layout = layout::default_layout(),
+        WindowCommand::ResetLayout => studio.spare_layouts.reset(&mut studio.layout),
         WindowCommand::Zoom(step) => zoom(context, studio, step),
         WindowCommand::Theme(theme) => {
             studio.settings.theme = theme;

@@ -35,7 +35,7 @@ use crate::state::command_context::{CommandContext, LabState};
 use crate::state::context::Cx;
 use crate::state::exact::ExactState;
 use crate::state::images::{DocumentImages, ImageUse};
-use crate::state::layout::{self, Pane};
+use crate::state::layout::{self, Pane, SpareLayouts};
 use crate::state::maps::MapState;
 use crate::state::settings::Settings;
 use crate::state::view::ViewState;
@@ -57,6 +57,7 @@ pub struct Studio {
     pub(crate) live: Live,
     pub(crate) card: WindowCard,
     pub(crate) layout: Tree<Pane>,
+    pub(crate) spare_layouts: SpareLayouts,
     pub(crate) documents: Documents,
     pub(crate) dialogs: Dialogs,
     pub(crate) palette: CommandPalette,

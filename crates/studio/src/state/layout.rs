@@ -1,11 +1,13 @@
 //! The docked panels and their first arrangement.
 
 mod columns;
+mod narrow;
 
 use egui_tiles::{Container, Linear, LinearDir, Tabs, Tile, TileId, Tiles, Tree};
 use serde::{Deserialize, Serialize};
 
 pub(crate) use columns::{LEAST_PANEL, fit, take_over};
+pub(crate) use narrow::SpareLayouts;
 
 /// The widths of the panels beside the picture at first, points.
 const OUTLINER: f32 = 220.0;
@@ -72,15 +74,11 @@ impl Pane {
 /// the lab and the materials below (hidden until there is something in it).
 pub(crate) fn default_layout() -> Tree<Pane> {
     let mut tiles = Tiles::default();
-    let tabs = |tiles: &mut Tiles<Pane>, panes: &[Pane]| {
-        let panes = panes.iter().map(|&pane| tiles.insert_pane(pane)).collect();
-        tiles.insert_new(Tile::Container(Container::Tabs(Tabs::new(panes))))
-    };
-    let viewport = tabs(&mut tiles, &[Pane::Viewport]);
-    let outliner = tabs(&mut tiles, &[Pane::Outliner, Pane::History]);
-    let inspector = tabs(&mut tiles, &[Pane::Inspector]);
+    let viewport = tabs_of(&mut tiles, &[Pane::Viewport]);
+    let outliner = tabs_of(&mut tiles, &[Pane::Outliner, Pane::History]);
+    let inspector = tabs_of(&mut tiles, &[Pane::Inspector]);
     let drawer =
-        tabs(&mut tiles, &[Pane::Problems, Pane::Audit, Pane::Compare, Pane::Measure, Pane::Materials]);
+        tabs_of(&mut tiles, &[Pane::Problems, Pane::Audit, Pane::Compare, Pane::Measure, Pane::Materials]);
     let middle = divided(&mut tiles, LinearDir::Vertical, &[(viewport, 0.68), (drawer, 0.32)]);
     let root = divided(
         &mut tiles,
@@ -92,6 +90,11 @@ pub(crate) fn default_layout() -> Tree<Pane> {
         set_visible(&mut tree, pane, false);
     }
     tree
+}
+
+fn tabs_of(tiles: &mut Tiles<Pane>, panes: &[Pane]) -> TileId {
+    let panes = panes.iter().map(|&pane| tiles.insert_pane(pane)).collect();
+    tiles.insert_new(Tile::Container(Container::Tabs(Tabs::new(panes))))
 }
 
 fn divided(tiles: &mut Tiles<Pane>, direction: LinearDir, children: &[(TileId, f32)]) -> TileId {

@@ -87,13 +87,14 @@ fn note_window(context: &Context, studio: &mut Studio) {
 fn note_layout(studio: &mut Studio) {
     if banner::has_shown_pane(studio) {
         // The next scene may have no problems.
-        let mut layout = studio.layout.clone();
+        let mut layout = studio.spare_layouts.wide(&studio.layout).clone();
         layout::set_visible(&mut layout, Pane::Problems, false);
         studio.settings.layout = Some(layout);
         return;
     }
-    if studio.settings.layout.as_ref() != Some(&studio.layout) {
-        studio.settings.layout = Some(studio.layout.clone());
+    let layout = studio.spare_layouts.wide(&studio.layout);
+    if studio.settings.layout.as_ref() != Some(layout) {
+        studio.settings.layout = Some(layout.clone());
     }
 }
 
