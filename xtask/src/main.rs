@@ -26,8 +26,8 @@ Usage: cargo xtask COMMAND
   dist --try   The same, and try it on a bare Debian system (as root, with debootstrap)
   icons        Make the font of the icons that the studio uses anew (with pyftsubset)
   web          Make the studio for browsers: static files in target/web
-               with --small made smaller by Binaryen, with --check driven in Chromium (both installed by npm), with
-               --made as it is there already
+               with --small made smaller by Binaryen, with --check driven in Chromium, with --measure measured
+               there (all installed by npm), with --made as it is there already
   help         List the other commands, those of the workbench: measurements, pictures of the documents
 ";
 

@@ -27,6 +27,8 @@ pub(crate) struct WebTask {
     is_small: bool,
     /// The site is driven in Chromium.
     is_checked: bool,
+    /// Its size, start and speed are measured in Chromium.
+    is_measured: bool,
 }
 
 impl WebTask {
@@ -38,6 +40,7 @@ impl WebTask {
                 "--made" => task.is_made = true,
                 "--small" => task.is_small = true,
                 "--check" => task.is_checked = true,
+                "--measure" => task.is_measured = true,
                 _ => return None,
             }
         }
@@ -61,39 +64,42 @@ const SINGLE: Flavor = Flavor {
     builds_std: false,
 };
 
+const SHARED: &[&str] = &[
+    "-zstack-size=4194304",
+    "--shared-memory",
+    "--import-memory",
+    "--max-memory=4294967296",
+    "--export=__wasm_init_tls",
+    "--export=__tls_size",
+    "--export=__tls_align",
+    "--export=__tls_base",
+];
+
 const THREADS: Flavor = Flavor {
     folder: "threads",
     features: "+simd128,+atomics,+bulk-memory",
-    link_arguments: &[
-        "-zstack-size=4194304",
-        "--shared-memory",
-        "--import-memory",
-        "--max-memory=4294967296",
-        "--export=__wasm_init_tls",
-        "--export=__tls_size",
-        "--export=__tls_align",
-        "--export=__tls_base",
-    ],
+    link_arguments: SHARED,
     builds_std: true,
 };
+
+const FLAVORS: [&Flavor; 2] = [&SINGLE, &THREADS];
 
 /// Does what is wanted, and says what had to be left out.
 pub(crate) fn run(task: WebTask) -> Result<()> {
     if !task.is_made {
         make(task.is_small)?;
     }
-    if task.is_checked {
-        match check()? {
-            None => println!("the laboratory works in Chromium"),
-            Some(reason) => println!("skipped: the laboratory in Chromium: {reason}"),
+    for (is_wanted, script) in [(task.is_checked, "check.mjs"), (task.is_measured, "measure.mjs")] {
+        if is_wanted && let Some(reason) = drive(script)? {
+            println!("skipped: the laboratory in Chromium: {reason}");
         }
     }
     Ok(())
 }
 
-/// Drives the laboratory in Chromium; says why that cannot be done, if so.
-fn check() -> Result<Option<String>> {
-    let Some(tools) = tools() else {
+/// Drives the laboratory in Chromium by a script; says why that cannot be done, if so.
+fn drive(script: &str) -> Result<Option<String>> {
+    let Some(tools) = tools("playwright-core", PLAYWRIGHT) else {
         return Ok(Some("there is no npm to install Playwright with".to_owned()));
     };
     let chromium = ["chromium", "chromium-browser", "google-chrome"];
@@ -101,12 +107,21 @@ fn check() -> Result<Option<String>> {
         return Ok(Some("Chromium is not installed (apt-get install chromium)".to_owned()));
     };
     let path = output(&mut command("which", &[chromium]))?;
-    // Where its imports find Playwright.
-    let script = tools.join("check.mjs");
-    fs::copy(root().join("crates/web/check/check.mjs"), &script)?;
+    // Its pictures are held against the browser's. The README's first command builds just this one.
+    let slim = ["--package", "catoptric", "--release", "--locked", "--no-default-features"];
+    shell::run(&mut command("cargo", &[&["build"], &slim[..]].concat()))?;
+    let program = target_folder()?.join("release").join(format!("catoptric{}", std::env::consts::EXE_SUFFIX));
+    // Where the imports of the scripts find Playwright.
+    let folder = root().join("crates/web/check");
+    for entry in fs::read_dir(&folder)? {
+        let path = entry?.path();
+        if let Some(name) = path.file_name() {
+            fs::copy(&path, tools.join(name))?;
+        }
+    }
     let mut node = command("node", &[]);
-    node.arg(script).arg(root().join("target/web")).arg(path.trim()).arg(root().join("target/web-check"));
-    shell::run(&mut node)?;
+    node.arg(tools.join(script)).arg(root().join("target/web")).arg(path.trim()).arg(program);
+    shell::run(node.arg(root().join("target/web-check")))?;
     Ok(None)
 }
 
@@ -118,13 +133,14 @@ fn make(is_small: bool) -> Result<()> {
     }
     fs::create_dir_all(&folder)?;
     copy_page(&folder)?;
-    build(&SINGLE, &folder, is_small)?;
-    let threads = why_no_threads()?;
-    match &threads {
-        None => build(&THREADS, &folder, is_small)?,
-        Some(reason) => println!("skipped: several threads: {reason}"),
+    let no_threads = why_no_threads()?;
+    if let Some(reason) = &no_threads {
+        println!("skipped: several threads: {reason}");
     }
-    let told = [&SINGLE, &THREADS].map(|flavor| {
+    for flavor in FLAVORS.iter().filter(|flavor| !flavor.builds_std || no_threads.is_none()) {
+        build(flavor, &folder, is_small)?;
+    }
+    let told = FLAVORS.map(|flavor| {
         let bytes = fs::metadata(program(flavor, &folder)).map(|found| found.len());
         let value = bytes.map_or("null".to_owned(), |bytes| format!("{{ bytes: {bytes} }}"));
         format!("{}: {value}", flavor.folder)
@@ -149,9 +165,11 @@ fn why_no_threads() -> Result<Option<String>> {
 
 fn build(flavor: &Flavor, folder: &Path, is_small: bool) -> Result<()> {
     println!("== {}", flavor.folder);
+    // Each has a folder of its own: cargo would build everything anew when the flags change.
+    let target = target_folder()?.join("web-build").join(flavor.folder);
     let mut cargo =
         command("cargo", &["build", "--package", "catoptric-web", "--locked", "--profile", "web"]);
-    cargo.args(["--target", TARGET]);
+    cargo.args(["--target", TARGET, "--target-dir"]).arg(&target);
     let links = flavor.link_arguments.iter().map(|argument| format!(" -Clink-arg={argument}"));
     cargo.env("RUSTFLAGS", format!("-Ctarget-feature={}{}", flavor.features, links.collect::<String>()));
     if flavor.builds_std {
@@ -159,7 +177,7 @@ fn build(flavor: &Flavor, folder: &Path, is_small: bool) -> Result<()> {
         cargo.args(["--features", "threads", "-Z", "build-std=std,panic_abort"]).env("RUSTC_BOOTSTRAP", "1");
     }
     shell::run(&mut cargo)?;
-    let program = target_folder()?.join(TARGET).join("web/catoptric_web.wasm");
+    let program = target.join(TARGET).join("web/catoptric_web.wasm");
     let out = folder.join(flavor.folder);
     let mut bindgen = Bindgen::new();
     bindgen.input_path(&program).out_name("studio").typescript(false).remove_name_section(true);
@@ -181,7 +199,7 @@ fn target_folder() -> Result<PathBuf> {
 
 /// Lets Binaryen make the program smaller and quicker, where it can be had.
 fn make_small(program: &Path) -> Result<()> {
-    let Some(tools) = tools() else {
+    let Some(tools) = tools("binaryen", BINARYEN) else {
         println!("skipped: optimization by Binaryen: there is no npm to install it with");
         return Ok(());
     };
@@ -190,16 +208,20 @@ fn make_small(program: &Path) -> Result<()> {
     shell::run(&mut optimize)
 }
 
-/// The folder of the tools that npm installs for this repository; `None` without npm.
-fn tools() -> Option<PathBuf> {
-    /// With their versions.
-    const PACKAGES: [&str; 2] = ["binaryen@132.0.0", "playwright-core@1.65.1"];
+const BINARYEN: &str = "132.0.0";
+const PLAYWRIGHT: &str = "1.65.1";
+
+/// The folder of the tools that npm installs for this repository, with this package in it; `None` if it cannot be had.
+fn tools(package: &str, version: &str) -> Option<PathBuf> {
     let folder = root().join("target/web-tools");
-    if !folder.join("node_modules/.bin/wasm-opt").exists() {
+    if !folder.join("node_modules").join(package).exists() {
         fs::create_dir_all(&folder).ok()?;
-        fs::write(folder.join("package.json"), "{}\n").ok()?;
+        let manifest = folder.join("package.json");
+        if !manifest.exists() {
+            fs::write(manifest, "{}\n").ok()?;
+        }
         let mut install = command("npm", &["install", "--silent", "--no-audit", "--no-fund"]);
-        shell::run(install.args(PACKAGES).current_dir(&folder)).ok()?;
+        shell::run(install.arg(format!("{package}@{version}")).current_dir(&folder)).ok()?;
     }
     Some(folder)
 }
@@ -226,7 +248,7 @@ fn compress(folder: &Path) -> Result<()> {
         gz.write_all(bytes)?;
         fs::write(folder.join(format!("{name}.gz")), gz.finish()?)?;
         let mut br = Vec::new();
-        let parameters = BrotliEncoderParams { quality: 9, lgwin: 24, ..BrotliEncoderParams::default() };
+        let parameters = BrotliEncoderParams { quality: 11, lgwin: 24, ..BrotliEncoderParams::default() };
         brotli::BrotliCompress(&mut bytes.as_slice(), &mut br, &parameters)?;
         println!("{name}: {} bytes, {} packed", bytes.len(), br.len());
         fs::write(folder.join(format!("{name}.br")), br)?;
