@@ -1,7 +1,6 @@
 //! `catoptric render`
 
 use std::fs::File;
-use std::io::Write as _;
 
 use crate::common::{FIVE_ERRORS, FIVE_PLACES, Folder, NOTHING, ONE_BODY, Ran};
 use catoptric_picture::{Comparison, decode};
@@ -100,6 +99,8 @@ fn options_change_the_picture_as_they_say() {
 #[cfg(feature = "gpu")]
 #[test]
 fn a_graphics_card_draws_the_same_picture_and_says_so() {
+    use std::io::Write as _;
+
     let folder = Folder::new();
     let line = "render whitted -o gpu.exr --size 160x90 --backend gpu --software-gpu --stats -";
     let ran = folder.run(line);
