@@ -1,8 +1,10 @@
 //! Bodies: a shape, where it stands, what it is made of.
 
-use glam::{DAffine3, DMat3, DQuat, DVec3};
+use glam::{DAffine3, DVec3};
 
+use crate::compound::{BodyPart, Form, box_corners, each_part_mut, part_materials};
 use crate::material::MaterialChoice;
+use crate::placement::Placement;
 use crate::shape::Shape;
 
 /// One geometric body of a scene.
@@ -21,16 +23,19 @@ pub struct Body {
     pub hidden: bool,
     /// Whether the studio leaves the body as it is. No picture depends on it. Default false.
     pub locked: bool,
+    /// What the body is joined of; none unless the shape [has parts](Shape::is_compound).
+    pub parts: Vec<BodyPart>,
 }
 
 impl Body {
+    /// Its geometry.
+    pub fn form(&self) -> Form<'_> {
+        Form { shape: self.shape, placement: self.placement, parts: &self.parts }
+    }
+
     /// The shape with the height that it has where it stands: its own, or the distance between its base and top points.
     pub fn sized_shape(&self) -> Shape {
-        let mut shape = self.shape;
-        if let Anchor::Axis { base, top } = self.placement.anchor {
-            shape.set_height(base.distance(top));
-        }
-        shape
+        self.form().sized_shape()
     }
 
     /// The height where the body stands, meters; `None` for shapes without a height.
@@ -38,174 +43,53 @@ impl Body {
         self.sized_shape().height()
     }
 
-    /// The middle of the body, meters; of a plane, its origin.
+    /// The middle of the body's extent, meters; of what has no end, its origin.
     pub fn middle(&self) -> DVec3 {
-        self.placement.world_from_body().transform_point3(self.sized_shape().middle())
+        let middle = self.form().extent().map_or(DVec3::ZERO, |[min, max]| 0.5 * (min + max));
+        self.placement.world_from_body().transform_point3(middle)
     }
 
-    /// The lines in the world that an eye sees the body by: its edges, and where the eye looks past its surface. None
-    /// for a plane.
+    /// The lines in the world that an eye sees the body by: its edges, and where the eye looks past its surface; of a
+    /// compound body, those of its parts. None for a plane.
     pub fn outline(&self, eye: DVec3) -> Vec<Vec<DVec3>> {
-        let frame = self.placement.world_from_body();
-        let lines = self.sized_shape().outline(frame.inverse().transform_point3(eye));
-        let to_world =
-            |line: Vec<DVec3>| line.into_iter().map(|point| frame.transform_point3(point)).collect();
-        lines.into_iter().map(to_world).collect()
+        let mut outline = Vec::new();
+        self.form().each_simple(DAffine3::IDENTITY, &mut |part| {
+            let lines = part.shape.outline(part.frame.inverse().transform_point3(eye));
+            let to_world =
+                |line: Vec<DVec3>| line.into_iter().map(|point| part.frame.transform_point3(point)).collect();
+            outline.extend(lines.into_iter().map(to_world));
+        });
+        outline
     }
 
-    /// The corners of the box around the body along the axes of its own frame, meters; `None` for a plane.
+    /// The corners of the box around the body along the axes of its own frame, meters; `None` for what has no end.
     pub fn box_corners(&self) -> Option<[DVec3; 8]> {
-        let ends = self.sized_shape().extent()?;
+        let ends = self.form().extent()?;
         let frame = self.placement.world_from_body();
-        Some(std::array::from_fn(|corner| {
-            let [x, y, z] = [0, 1, 2].map(|axis| ends[corner >> axis & 1][axis]);
-            frame.transform_point3(DVec3::new(x, y, z))
-        }))
-    }
-}
-
-/// The transform from a body's own frame to the world: `T · R · S`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Placement {
-    /// Where the frame's origin stands and how the frame is turned.
-    pub anchor: Anchor,
-    /// Scale along the frame's own axes, applied first. Default 1 each.
-    pub scale: DVec3,
-}
-
-impl Default for Placement {
-    fn default() -> Self {
-        Self::at(DVec3::ZERO)
-    }
-}
-
-impl Placement {
-    /// Unturned and unscaled at `position`.
-    pub const fn at(position: DVec3) -> Self {
-        Self { anchor: Anchor::Frame { position, rotation_degrees: DVec3::ZERO }, scale: DVec3::ONE }
+        Some(box_corners(ends).map(|corner| frame.transform_point3(corner)))
     }
 
-    /// Moves the placement in the world by `offset`, meters.
-    pub fn moved_by(self, offset: DVec3) -> Self {
-        let anchor = match self.anchor {
-            Anchor::Frame { position, rotation_degrees } => {
-                Anchor::Frame { position: position + offset, rotation_degrees }
-            }
-            Anchor::Axis { base, top } => Anchor::Axis { base: base + offset, top: top + offset },
-        };
-        Self { anchor, ..self }
+    /// Its material and those that its parts are given.
+    pub fn materials(&self) -> impl Iterator<Item = &MaterialChoice> {
+        [&self.material].into_iter().chain(part_materials(&self.parts))
     }
 
-    /// World place of the frame's origin, meters: the position, or the center of the lower base.
-    pub const fn origin(&self) -> DVec3 {
-        match self.anchor {
-            Anchor::Frame { position, .. } => position,
-            Anchor::Axis { base, .. } => base,
-        }
+    /// Changes its material and those that its parts are given.
+    pub fn each_material_mut(&mut self, change: &mut impl FnMut(&mut MaterialChoice)) {
+        change(&mut self.material);
+        each_part_mut(&mut self.parts, &mut |part| part.material.iter_mut().for_each(&mut *change));
     }
 
-    /// The rotation `R` of the body's own frame.
-    pub fn rotation(&self) -> DMat3 {
-        match self.anchor {
-            Anchor::Frame { rotation_degrees, .. } => rotation_from_degrees(rotation_degrees),
-            Anchor::Axis { base, top } => {
-                let axis = (top - base).try_normalize().unwrap_or(DVec3::Y);
-                DMat3::from_quat(DQuat::from_rotation_arc(DVec3::Y, axis))
-            }
-        }
-    }
-
-    /// The transform from the body's own frame to the world, `T · R · S`.
-    pub fn world_from_body(&self) -> DAffine3 {
-        let matrix3 = self.rotation() * DMat3::from_diagonal(self.scale);
-        DAffine3 { matrix3, translation: self.origin() }
-    }
-}
-
-/// The two ways of saying where a body stands.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Anchor {
-    /// By the place of its frame's origin and three turns.
-    Frame {
-        /// World place of the frame's origin, meters.
-        position: DVec3,
-        /// Turns about the fixed X, then Y, then Z axis, degrees, right-hand rule.
-        rotation_degrees: DVec3,
-    },
-    /// By the ends of its axis (shapes with a height only), which also set the height.
-    Axis {
-        /// Center of the lower base, meters.
-        base: DVec3,
-        /// Center of the upper base, or the apex, meters.
-        top: DVec3,
-    },
-}
-
-/// `Rz · Ry · Rx` for turns in degrees; multiples of 90° are exact.
-fn rotation_from_degrees(degrees: DVec3) -> DMat3 {
-    let (sx, cx) = sin_cos_degrees(degrees.x);
-    let (sy, cy) = sin_cos_degrees(degrees.y);
-    let (sz, cz) = sin_cos_degrees(degrees.z);
-    let rx = DMat3::from_cols(DVec3::X, DVec3::new(0.0, cx, sx), DVec3::new(0.0, -sx, cx));
-    let ry = DMat3::from_cols(DVec3::new(cy, 0.0, -sy), DVec3::Y, DVec3::new(sy, 0.0, cy));
-    let rz = DMat3::from_cols(DVec3::new(cz, sz, 0.0), DVec3::new(-sz, cz, 0.0), DVec3::Z);
-    rz * ry * rx
-}
-
-/// Sine and cosine of an angle in degrees, exact at multiples of 90°.
-fn sin_cos_degrees(degrees: f64) -> (f64, f64) {
-    let turn = degrees.rem_euclid(360.0);
-    match turn {
-        0.0 => (0.0, 1.0),
-        90.0 => (1.0, 0.0),
-        180.0 => (0.0, -1.0),
-        270.0 => (-1.0, 0.0),
-        _ => turn.to_radians().sin_cos(),
+    /// Whether it or a part of it has the material of this name.
+    pub fn uses_material(&self, name: &str) -> bool {
+        self.materials().any(|material| material.name() == Some(name))
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn world_from(rotation_degrees: DVec3) -> DAffine3 {
-        Placement { anchor: Anchor::Frame { position: DVec3::ZERO, rotation_degrees }, scale: DVec3::ONE }
-            .world_from_body()
-    }
-
-    #[test]
-    fn turns_are_about_x_then_y_then_z() {
-        let turned = world_from(DVec3::new(90.0, 0.0, 90.0)).transform_vector3(DVec3::Y);
-        // About X, +Y goes to +Z; about Z it stays there.
-        assert_eq!(turned, DVec3::Z);
-        let turned = world_from(DVec3::new(90.0, 90.0, 0.0)).transform_vector3(DVec3::Y);
-        // +Y → +Z → +X.
-        assert_eq!(turned, DVec3::X);
-        // By the right-hand rule a turn about Z carries +X to +Y.
-        assert_eq!(world_from(DVec3::new(0.0, 0.0, 90.0)).transform_vector3(DVec3::X), DVec3::Y);
-    }
-
-    #[test]
-    fn scale_comes_before_rotation() {
-        let placement = Placement {
-            anchor: Anchor::Frame { position: DVec3::new(1.0, 2.0, 3.0), rotation_degrees: DVec3::Z * 90.0 },
-            scale: DVec3::new(2.0, 1.0, 1.0),
-        };
-        assert_eq!(placement.world_from_body().transform_point3(DVec3::X), DVec3::new(1.0, 4.0, 3.0));
-    }
-
-    #[test]
-    fn a_moved_placement_carries_its_points_along() {
-        let (offset, scale) = (DVec3::new(1.0, -2.0, 4.0), DVec3::new(1.0, 2.0, 3.0));
-        let frame = Anchor::Frame { position: DVec3::Z, rotation_degrees: DVec3::splat(20.0) };
-        let axis = Anchor::Axis { base: DVec3::Y, top: DVec3::X };
-        for placement in [frame, axis].map(|anchor| Placement { anchor, scale }) {
-            let moved = placement.moved_by(offset);
-            assert_eq!(moved.origin(), placement.origin() + offset);
-            let point = |placement: Placement| placement.world_from_body().transform_point3(DVec3::ONE);
-            assert!((point(moved) - point(placement) - offset).length() < 1e-12);
-        }
-    }
+    use crate::placement::Anchor;
 
     #[test]
     fn boxes_and_outlines_stand_where_the_body_does() {

@@ -3,22 +3,26 @@
 mod body;
 mod camera;
 mod color;
+mod compound;
 mod environment;
 mod examples;
 pub mod format;
+mod frame;
 mod image;
 mod language;
 mod light;
 mod list;
 mod material;
 mod part;
+mod placement;
 mod scene_images;
 mod shape;
 mod text;
 
-pub use body::{Anchor, Body, Placement};
+pub use body::Body;
 pub use camera::{Camera, Projection};
 pub use color::Color;
+pub use compound::{BodyPart, Form, SimplePart};
 pub use environment::{Environment, Sky, Surroundings};
 pub use examples::Example;
 pub use format::{
@@ -26,6 +30,7 @@ pub use format::{
     Related, SceneEdit, SceneKey, ScenePath, SceneValue, Sentence, Severity, Warned, decode, json_schema,
     nearest, read, read_bytes, update, write, write_fragment,
 };
+pub use frame::rotation_degrees;
 pub use image::{Image, ImageError, ImageFault, ImageSource, NoResources, Resources, UnreadableKind};
 pub use language::Language;
 pub use light::{Falloff, Light};
@@ -35,6 +40,7 @@ pub use material::{
     MetalOptics, Mirror, Model, NamedMaterial, Pattern, Phong, RefractiveIndex, Share, ThinDielectric,
 };
 pub use part::ScenePart;
+pub use placement::{Anchor, Placement};
 pub use scene_images::HasImages;
 pub use shape::{ParaboloidDepth, Shape, ShapeKind};
 pub use text::{is_active, quoted_name, visible, visible_lines};

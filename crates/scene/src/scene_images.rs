@@ -36,9 +36,11 @@ impl HasImages for NamedMaterial {
 
 impl HasImages for Body {
     fn edit_images(&mut self, edit: &mut dyn FnMut(&mut Image)) {
-        if let MaterialChoice::Inline(material) = &mut self.material {
-            material.edit_images(edit);
-        }
+        self.each_material_mut(&mut |choice| {
+            if let MaterialChoice::Inline(material) = choice {
+                material.edit_images(edit);
+            }
+        });
     }
 }
 
@@ -47,11 +49,10 @@ impl HasImages for Scene {
     fn edit_images(&mut self, edit: &mut dyn FnMut(&mut Image)) {
         self.environment.edit_images(edit);
         self.materials.iter_mut().for_each(|named| named.edit_images(edit));
-        let choices = self.bodies.iter().map(|body| &body.material).enumerate();
-        let places: Vec<usize> = choices
-            .filter(|(_, choice)| inline(choice).and_then(texture).is_some())
-            .map(|(place, _)| place)
-            .collect();
+        let has_images = |body: &Body| body.materials().filter_map(inline).any(|own| texture(own).is_some());
+        let bodies = self.bodies.iter().enumerate();
+        let places: Vec<usize> =
+            bodies.filter(|(_, body)| has_images(body)).map(|(place, _)| place).collect();
         for place in places {
             if let Some(body) = self.bodies.get_mut(place) {
                 body.edit_images(edit);
@@ -94,7 +95,7 @@ impl Scene {
 
     fn images_with<'a>(&'a self, bodies: impl Iterator<Item = &'a Body>) -> impl Iterator<Item = &'a Image> {
         let shared = self.materials.iter().map(|named| &named.material);
-        let own = bodies.filter_map(|body| inline(&body.material));
+        let own = bodies.flat_map(Body::materials).filter_map(inline);
         self.environment.surroundings.picture().into_iter().chain(shared.chain(own).filter_map(texture))
     }
 }

@@ -56,6 +56,15 @@ pub enum Shape {
     },
     /// The infinite plane y = 0 with the normal +Y; the half-space below counts as its inside.
     Plane,
+    /// All that lies in any of the body's parts.
+    Union,
+    /// What lies in all of the body's parts.
+    Intersection,
+    /// What lies in the first of the body's parts and in none of the others.
+    Difference,
+    /// Parts that stand together, each a body of its own. A group that is itself a part of a union, an intersection or a
+    /// difference is a union.
+    Group,
 }
 
 /// What a bounded shape is asked for, in its own frame.
@@ -95,7 +104,16 @@ impl Shape {
             Self::Cone { .. } => ShapeKind::Cone,
             Self::Paraboloid { .. } => ShapeKind::Paraboloid,
             Self::Plane => ShapeKind::Plane,
+            Self::Union => ShapeKind::Union,
+            Self::Intersection => ShapeKind::Intersection,
+            Self::Difference => ShapeKind::Difference,
+            Self::Group => ShapeKind::Group,
         }
+    }
+
+    /// Whether the body consists of [parts](crate::Body::parts).
+    pub const fn is_compound(&self) -> bool {
+        self.kind().is_compound()
     }
 
     /// The shape's name in scene files: `sphere`, `cube` …
@@ -207,7 +225,8 @@ impl Shape {
         self
     }
 
-    /// The answer of the shape's geometry; `None` for a plane, which has no end.
+    /// The answer of the shape's geometry; `None` for a plane, which has no end, and for compound shapes, which
+    /// [`Form`](crate::Form) knows.
     fn ask<T>(&self, question: impl FnOnce(&dyn Solid) -> T) -> Option<T> {
         Some(match *self {
             Self::Sphere { radius } => question(&Sphere { radius }),
@@ -219,7 +238,7 @@ impl Shape {
             Self::Paraboloid { radius, depth } => {
                 question(&Paraboloid { radius, height: depth.height(radius) })
             }
-            Self::Plane => return None,
+            Self::Plane | Self::Union | Self::Intersection | Self::Difference | Self::Group => return None,
         })
     }
 
@@ -268,12 +287,39 @@ pub enum ShapeKind {
     Paraboloid,
     /// [`Shape::Plane`].
     Plane,
+    /// [`Shape::Union`].
+    Union,
+    /// [`Shape::Intersection`].
+    Intersection,
+    /// [`Shape::Difference`].
+    Difference,
+    /// [`Shape::Group`].
+    Group,
 }
 
 impl ShapeKind {
-    /// All shapes, in the order in which to offer them.
-    pub const ALL: [Self; 6] =
+    /// All shapes: those of one piece, then those of parts.
+    pub const ALL: [Self; 10] = [
+        Self::Sphere,
+        Self::Cube,
+        Self::Cylinder,
+        Self::Cone,
+        Self::Paraboloid,
+        Self::Plane,
+        Self::Union,
+        Self::Intersection,
+        Self::Difference,
+        Self::Group,
+    ];
+
+    /// The shapes of one piece, in the order in which to offer them.
+    pub const SIMPLE: [Self; 6] =
         [Self::Sphere, Self::Cube, Self::Cylinder, Self::Cone, Self::Paraboloid, Self::Plane];
+
+    /// Whether a body of this shape consists of [parts](crate::Body::parts).
+    pub const fn is_compound(self) -> bool {
+        matches!(self, Self::Union | Self::Intersection | Self::Difference | Self::Group)
+    }
 
     /// The shape's name in scene files.
     pub const fn key(self) -> &'static str {
@@ -284,6 +330,10 @@ impl ShapeKind {
             Self::Cone => "cone",
             Self::Paraboloid => "paraboloid",
             Self::Plane => "plane",
+            Self::Union => "union",
+            Self::Intersection => "intersection",
+            Self::Difference => "difference",
+            Self::Group => "group",
         }
     }
 
@@ -301,6 +351,10 @@ impl ShapeKind {
             Self::Cone => Shape::CONE,
             Self::Paraboloid => Shape::PARABOLOID,
             Self::Plane => Shape::Plane,
+            Self::Union => Shape::Union,
+            Self::Intersection => Shape::Intersection,
+            Self::Difference => Shape::Difference,
+            Self::Group => Shape::Group,
         }
     }
 

@@ -1,13 +1,17 @@
 //! Builds the document's types from tables. Everything absent or wrong keeps its default.
 
+use std::collections::HashMap;
+
 use glam::DVec3;
 
-use crate::body::{Anchor, Body, Placement};
+use crate::body::Body;
 use crate::camera::{Camera, Projection};
+use crate::compound::BodyPart;
 use crate::format::diagnostic::{Diagnostic, Diagnostics};
 use crate::format::keys;
 use crate::format::material;
 use crate::format::message::{KeyMeaning, Message};
+use crate::format::quote::quoted;
 use crate::format::rules::{self, BrokenRule};
 use crate::format::spec::{Kind, TableSpec};
 use crate::format::toml::{Span, Value, ValueKind};
@@ -15,6 +19,7 @@ use crate::format::tree::Table;
 use crate::format::typed::Fields;
 use crate::light::{Falloff, Light};
 use crate::material::{Material, MaterialChoice};
+use crate::placement::{Anchor, Placement};
 use crate::shape::{Shape, ShapeKind};
 use crate::{Environment, Sky, Surroundings, Tracing};
 
@@ -27,12 +32,29 @@ pub(crate) struct SceneBuilder<'a, 't> {
 /// A body as far as it could be understood.
 pub(crate) struct BuiltBody {
     pub(crate) body: Body,
-    /// Whether its shape is known; the scene cannot hold it otherwise.
+    /// Whether its shape and parts are known; the scene cannot hold it otherwise.
     pub(crate) is_known: bool,
     /// Place of its name, when it has one.
     pub(crate) name_span: Option<Span>,
     /// Place of the name of its material, when it has one.
     pub(crate) material_span: Option<Span>,
+    pub(crate) parts: PartPositions,
+}
+
+/// A part of a body as far as it could be understood.
+struct BuiltPart {
+    part: BodyPart,
+    is_known: bool,
+    material_span: Option<Span>,
+}
+
+/// The places of parts in the file.
+#[derive(Default)]
+pub(crate) struct PartPositions {
+    /// The names of their materials.
+    pub(crate) materials: Vec<(String, Span)>,
+    /// Intersections that hold nothing.
+    pub(crate) empty: Vec<(&'static str, Span)>,
 }
 
 impl<'t> SceneBuilder<'_, 't> {
@@ -157,47 +179,129 @@ impl<'t> SceneBuilder<'_, 't> {
 
     /// A body; a sphere when its shape is not known.
     pub(crate) fn body(&mut self, table: &Table<'t>) -> BuiltBody {
-        let mut fields = self.fields(&keys::BODY, table);
+        let mut parts = PartPositions::default();
+        let built = self.part_of(&keys::BODY, table, &mut parts);
+        let mut fields = Fields { text: self.text, spec: &keys::BODY, table, found: self.found };
+        let (hidden, locked) = (fields.flag("hidden"), fields.flag("locked"));
+        let BodyPart { name, shape, placement, material, parts: own } = built.part;
+        let body = Body {
+            name,
+            shape,
+            placement,
+            material: material.unwrap_or_default(),
+            hidden: hidden.unwrap_or_default(),
+            locked: locked.unwrap_or_default(),
+            parts: own,
+        };
+        let name_span = table.get("name").map(|value| value.span);
+        BuiltBody { body, is_known: built.is_known, name_span, material_span: built.material_span, parts }
+    }
+
+    /// What a body and a part of a body have in common.
+    fn part_of(
+        &mut self,
+        spec: &'static TableSpec,
+        table: &Table<'t>,
+        places: &mut PartPositions,
+    ) -> BuiltPart {
+        let mut fields = self.fields(spec, table);
         let name = fields.text("name").unwrap_or_default();
         let shape = shape(&mut fields);
         let anchor = anchor(&mut fields, shape);
         let scale = fields.number_or_vector("scale").unwrap_or(DVec3::ONE);
-        let (hidden, locked) = (fields.flag("hidden"), fields.flag("locked"));
-        let (material, material_span) = self.material_choice(table);
+        let (material, material_span) = self.material_choice(spec, table);
+        let (parts, are_known) = self.parts(spec, table, places);
         let is_known = shape.is_ok();
         let mut shape = shape.unwrap_or_default();
         if let Anchor::Axis { base, top } = anchor {
             shape.set_height(base.distance(top));
         }
-        let body = Body {
-            name,
-            shape,
-            placement: Placement { anchor, scale },
-            material,
-            hidden: hidden.unwrap_or_default(),
-            locked: locked.unwrap_or_default(),
-        };
-        BuiltBody { body, is_known, name_span: table.get("name").map(|value| value.span), material_span }
+        let parts = if shape.is_compound() { parts } else { Vec::new() };
+        let part = BodyPart { name, shape, placement: Placement { anchor, scale }, material, parts };
+        let broken = rules::parts(&part.form());
+        let is_known = is_known && broken.is_none();
+        if are_known {
+            let mut fields = Fields { text: self.text, spec, table, found: self.found };
+            if let Some(broken) = broken {
+                report(&mut fields, broken, &["shape"]);
+            } else if let Some(value) = table.get("shape")
+                && rules::is_empty(&part.form())
+            {
+                places.empty.push((part.shape.key(), value.span));
+            }
+        }
+        BuiltPart { part, is_known, material_span }
     }
 
-    fn material_choice(&mut self, table: &Table<'t>) -> (MaterialChoice, Option<Span>) {
+    /// The parts of a body or part, without those of an unknown shape, and whether these are all.
+    fn parts(
+        &mut self,
+        spec: &'static TableSpec,
+        table: &Table<'t>,
+        places: &mut PartPositions,
+    ) -> (Vec<BodyPart>, bool) {
+        let Some(value) = table.get("parts") else { return (Vec::new(), true) };
+        let ValueKind::Tables(tables) = &value.kind else {
+            let mut fields = Fields { text: self.text, spec, table, found: self.found };
+            if let Some(key) = spec.key("parts").filter(|_| !matches!(value.kind, ValueKind::Invalid)) {
+                let _: Option<()> = fields.wrong_type(key, value);
+            }
+            return (Vec::new(), false);
+        };
+        let mut first_at: HashMap<&str, Span> = HashMap::new();
+        let mut parts = Vec::with_capacity(tables.len());
+        for table in tables {
+            let BuiltPart { mut part, is_known, material_span } = self.part_of(&keys::PART, table, places);
+            if let (Some(MaterialChoice::Named(name)), Some(span)) = (&part.material, material_span) {
+                places.materials.push((name.clone(), span));
+            }
+            if let Some(Value { span, kind: ValueKind::Text(name) }) = table.get("name")
+                && !name.is_empty()
+            {
+                let first = *first_at.entry(name).or_insert(*span);
+                if first != *span {
+                    part.name.clear();
+                    self.found.push_with(|| named_twice(name, first, *span));
+                }
+            }
+            if is_known {
+                parts.push(part);
+            }
+        }
+        let are_all = parts.len() == tables.len();
+        (parts, are_all)
+    }
+
+    fn material_choice(
+        &mut self,
+        spec: &'static TableSpec,
+        table: &Table<'t>,
+    ) -> (Option<MaterialChoice>, Option<Span>) {
         match table.get("material") {
             Some(Value { span, kind: ValueKind::Text(name) }) => {
-                (MaterialChoice::Named(name.as_ref().to_owned()), Some(*span))
+                (Some(MaterialChoice::Named(name.as_ref().to_owned())), Some(*span))
             }
             Some(Value { kind: ValueKind::Table(material), .. }) => {
-                (MaterialChoice::Inline(Box::new(self.material(material))), None)
+                (Some(MaterialChoice::Inline(Box::new(self.material(material)))), None)
             }
-            None | Some(Value { kind: ValueKind::Invalid, .. }) => (MaterialChoice::default(), None),
+            None | Some(Value { kind: ValueKind::Invalid, .. }) => (None, None),
             Some(value) => {
-                let mut fields = Fields { text: self.text, spec: &keys::BODY, table, found: self.found };
-                if let Some((_, key)) = keys::BODY.find("material") {
+                let mut fields = Fields { text: self.text, spec, table, found: self.found };
+                if let Some((_, key)) = spec.find("material") {
                     let _: Option<()> = fields.wrong_type(key, value);
                 }
-                (MaterialChoice::default(), None)
+                (None, None)
             }
         }
     }
+}
+
+/// A name that another part of the same whole has.
+fn named_twice(name: &str, first: Span, second: Span) -> Diagnostic {
+    Diagnostic::error(second.range(), Message::PartNameTwice { name: quoted(name) })
+        .with_label(Message::SecondOne)
+        .with_help(Message::Rename)
+        .with_related(first.range(), Message::FirstOne)
 }
 
 fn table_has(table: &Table<'_>, name: &str) -> bool {

@@ -4,18 +4,22 @@ use std::collections::{HashMap, HashSet};
 use std::fmt;
 
 use crate::Scene;
-use crate::body::{Anchor, Body};
+use crate::body::Body;
 use crate::camera::Camera;
+use crate::compound::Form;
 use crate::format::material;
 use crate::format::message::{Collection, Component, FoundValue, Message, Subject};
 use crate::format::quote::quoted;
 use crate::format::record::{self, Datum, Record};
 use crate::format::rules;
 use crate::format::spec::{KeySpec, Kind, Limits};
+use crate::format::write::key_text;
 use crate::language::Language;
 use crate::light::Light;
-use crate::material::NamedMaterial;
+use crate::material::{MaterialChoice, NamedMaterial};
 use crate::part::ScenePart;
+use crate::placement::Anchor;
+use crate::shape::Shape;
 
 /// A problem of a scene that no file could express.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -26,6 +30,8 @@ pub struct Problem {
     pub key: &'static str,
     /// The name of the part, between backquotes; `None` for what has none.
     name: Option<String>,
+    /// The address of the part of a body that has it, `parts.front`; empty for all else.
+    within: String,
     /// What is wrong.
     message: Message,
 }
@@ -52,11 +58,12 @@ impl Problem {
             ScenePart::Body(index) => ("body", "тело", Some(index)),
         };
         let kind = language.pick(english, russian);
-        match (index, &self.name) {
+        let title = match (index, &self.name) {
             (None, _) => kind.to_owned(),
             (Some(_), Some(name)) => format!("{kind} {name}"),
             (Some(index), None) => format!("{kind} {}", index + 1),
-        }
+        };
+        if self.within.is_empty() { title } else { format!("{title}, `{}`", self.within) }
     }
 }
 
@@ -125,9 +132,8 @@ impl Scene {
                     check.body(index, body);
                     let names = self.bodies.iter().map(|other| other.name.as_str());
                     check.other_uses(Collection::Bodies, names, &body.name, part);
-                    if self.material(&body.material).is_none() {
-                        check.undefined(index, body);
-                    }
+                    let is_defined = |name: &str| self.materials.iter().any(|named| named.name == name);
+                    check.undefined(index, body, is_defined);
                 }
             }
         }
@@ -154,12 +160,14 @@ fn named_alike(things: Collection, name: &str, first: usize, second: usize) -> M
 struct NamedPart<'a> {
     part: ScenePart,
     name: &'a str,
+    /// The address of a part within a body; empty for what is a part of the scene itself.
+    within: String,
 }
 
 impl NamedPart<'static> {
     /// A part without a name.
     fn unnamed(part: ScenePart) -> Self {
-        Self { part, name: "" }
+        Self { part, name: "", within: String::new() }
     }
 }
 
@@ -170,7 +178,8 @@ struct SceneValidator {
 impl SceneValidator {
     fn add(&mut self, of: &NamedPart<'_>, key: &'static str, message: Message) {
         let name = (!of.name.is_empty()).then(|| quoted(of.name));
-        self.problems.push(Problem { part: of.part, key, name, message });
+        let within = of.within.clone();
+        self.problems.push(Problem { part: of.part, key, name, within, message });
     }
 
     fn camera(&mut self, camera: &Camera) {
@@ -186,7 +195,7 @@ impl SceneValidator {
     }
 
     fn material(&mut self, index: usize, named: &NamedMaterial) {
-        let of = NamedPart { part: ScenePart::Material(index), name: &named.name };
+        let of = NamedPart { part: ScenePart::Material(index), name: &named.name, within: String::new() };
         self.record(&of, &material::record(&named.material));
         if named.name.is_empty() {
             self.add(&of, "name", Message::UnnamedMaterial);
@@ -194,26 +203,59 @@ impl SceneValidator {
     }
 
     fn light(&mut self, index: usize, light: &Light) {
-        self.record(&NamedPart { part: ScenePart::Light(index), name: &light.name }, &record::light(light));
+        let of = NamedPart { part: ScenePart::Light(index), name: &light.name, within: String::new() };
+        self.record(&of, &record::light(light));
     }
 
     fn body(&mut self, index: usize, body: &Body) {
-        let of = NamedPart { part: ScenePart::Body(index), name: &body.name };
+        let of = NamedPart { part: ScenePart::Body(index), name: &body.name, within: String::new() };
+        self.geometry(&of, &record::body(body), &body.form(), 0);
+    }
+
+    /// The values of a body or a part, and what they are together; `depth` is the number of wholes around it.
+    fn geometry(&mut self, of: &NamedPart<'_>, record: &Record<'_>, form: &Form<'_>, depth: usize) {
         let before = self.problems.len();
-        self.record(&of, &record::body(body));
+        self.record(of, record);
         let is_in_range = self.problems.len() == before;
-        let Anchor::Axis { base, top } = body.placement.anchor else {
-            if let Some(broken) = rules::depth(&body.shape).filter(|_| is_in_range) {
-                self.add(&of, broken.key, broken.message);
+        self.place(of, form, is_in_range);
+        if !form.shape.is_compound() && !form.parts.is_empty() {
+            self.add(of, "parts", Message::PartsOfSimple { shape: form.shape.key() });
+            return;
+        }
+        if let Some(broken) = rules::parts(form) {
+            self.add(of, broken.key, broken.message);
+        }
+        if depth == Shape::MAX_DEPTH && !form.parts.is_empty() {
+            self.add(of, "parts", Message::PartsTooDeep);
+            return;
+        }
+        let mut names: HashSet<&str> = HashSet::new();
+        for (index, part) in form.parts.iter().enumerate() {
+            let point = if of.within.is_empty() { "" } else { "." };
+            let own = if part.name.is_empty() { index.to_string() } else { key_text(&part.name) };
+            let within = format!("{}{point}parts.{own}", of.within);
+            let inner = NamedPart { part: of.part, name: of.name, within };
+            self.geometry(&inner, &record::part(part), &part.form(), depth + 1);
+            if !part.name.is_empty() && !names.insert(&part.name) {
+                self.add(of, "parts", Message::PartNameTwice { name: quoted(&part.name) });
+            }
+        }
+    }
+
+    /// Where a body or a part stands, and its height.
+    fn place(&mut self, of: &NamedPart<'_>, form: &Form<'_>, is_in_range: bool) {
+        let Anchor::Axis { base, top } = form.placement.anchor else {
+            if let Some(broken) = rules::depth(&form.shape).filter(|_| is_in_range) {
+                self.add(of, broken.key, broken.message);
             }
             return;
         };
-        if body.shape.height().is_none() {
-            self.add(&of, "base", Message::NoAxis { shape: body.shape.key() });
+        if form.shape.height().is_none() {
+            self.add(of, "base", Message::NoAxis { shape: form.shape.key() });
             return;
         }
         if let Some(broken) = rules::axis(base, top).filter(|_| is_in_range) {
-            self.add(&of, broken.key, broken.message);
+            self.add(of, broken.key, broken.message);
         }
     }
 
@@ -226,7 +268,8 @@ impl SceneValidator {
                 Datum::Text(path) if matches!(key.kind, Kind::File) && path.is_empty() => {
                     self.add(of, key.name, Message::EmptyPath { key: key.name });
                 }
-                Datum::Text(_) | Datum::Flag(_) => {}
+                // Parts are looked at one by one.
+                Datum::Text(_) | Datum::Flag(_) | Datum::Tables(_) => {}
                 Datum::Number(value) => self.number(of, key, *value, Component::Whole),
                 Datum::Integer(value) => self.number(of, key, f64::from(*value), Component::Whole),
                 Datum::Vector(values) => {
@@ -260,16 +303,15 @@ impl SceneValidator {
         self.unique(Collection::Bodies, scene.bodies.iter().map(|body| body.name.as_str()), ScenePart::Body);
         let defined: HashSet<&str> = scene.materials.iter().map(|named| named.name.as_str()).collect();
         for (index, body) in scene.bodies.iter().enumerate() {
-            if body.material.name().is_some_and(|name| !defined.contains(name)) {
-                self.undefined(index, body);
-            }
+            self.undefined(index, body, |name| defined.contains(name));
         }
     }
 
-    fn undefined(&mut self, index: usize, body: &Body) {
-        let Some(name) = body.material.name() else { return };
-        let of = NamedPart { part: ScenePart::Body(index), name: &body.name };
-        self.add(&of, "material", Message::Undefined { name: quoted(name) });
+    fn undefined(&mut self, index: usize, body: &Body, is_defined: impl Fn(&str) -> bool) {
+        for name in body.materials().filter_map(MaterialChoice::name).filter(|name| !is_defined(name)) {
+            let of = NamedPart { part: ScenePart::Body(index), name: &body.name, within: String::new() };
+            self.add(&of, "material", Message::Undefined { name: quoted(name) });
+        }
     }
 
     /// Reports a name that several have, of which `part` is one.
@@ -311,7 +353,7 @@ mod tests {
     use glam::DVec3;
 
     use super::*;
-    use crate::{MaterialChoice, Phong, Placement, Shape};
+    use crate::{BodyPart, Phong, Placement};
 
     #[test]
     fn a_default_scene_has_no_problems() {
@@ -398,5 +440,48 @@ mod tests {
         let left: Vec<ScenePart> = alone.iter().map(|problem| problem.part).collect();
         assert_eq!(left, [ScenePart::Material(0), ScenePart::Light(1), ScenePart::Body(1)]);
         assert!(alone.iter().all(|problem| problem.key == "name"));
+    }
+
+    #[test]
+    fn parts_have_problems_by_their_address() {
+        let part = |name: &str, shape| BodyPart { name: name.to_owned(), shape, ..BodyPart::default() };
+        let bad = Shape::Sphere { radius: -1.0 };
+        let inner = BodyPart {
+            parts: vec![part("", bad), part("a b", bad), part("c", Shape::CUBE), part("c", Shape::CUBE)],
+            ..part("front", Shape::Union)
+        };
+        let material = Some(MaterialChoice::Named("none".to_owned()));
+        let whole = Body {
+            name: "lens".to_owned(),
+            shape: Shape::Difference,
+            parts: vec![inner, BodyPart { material, ..part("", Shape::Group) }],
+            ..Body::default()
+        };
+        let simple = Body { parts: vec![part("", Shape::CUBE)], ..Body::default() };
+        let mut deep = part("", Shape::CUBE);
+        for _ in 0..Shape::MAX_DEPTH {
+            deep = BodyPart { parts: vec![deep], ..part("", Shape::Group) };
+        }
+        let deep = Body { shape: Shape::Group, parts: vec![deep], ..Body::default() };
+        let many = Body {
+            shape: Shape::Union,
+            parts: vec![part("", Shape::CUBE); Shape::MAX_PARTS + 1],
+            ..Body::default()
+        };
+        let group = Body { shape: Shape::Group, ..many.clone() };
+        let scene = Scene { bodies: [whole, simple, deep, many, group].into(), ..Scene::default() };
+        let messages: Vec<String> = scene.check().iter().map(Problem::to_string).collect();
+        let seven = ["parts.0"; Shape::MAX_DEPTH].join(".");
+        let expected = [
+            "body `lens`, `parts.front.parts.0`: `radius` is -1, but must be greater than 0".to_owned(),
+            "body `lens`, `parts.front.parts.\"a b\"`: `radius` is -1, but must be greater than 0".to_owned(),
+            "body `lens`, `parts.front`: two parts have the name `c`".to_owned(),
+            "body `lens`, `parts.1`: a group needs at least one part".to_owned(),
+            "body 2: a sphere has no parts".to_owned(),
+            format!("body 3, `{seven}`: parts are nested too deep"),
+            "body 4: this union has 65 simple parts, but can have at most 64".to_owned(),
+            "body `lens`: the material `none` is not defined".to_owned(),
+        ];
+        assert_eq!(messages, expected);
     }
 }

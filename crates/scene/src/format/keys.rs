@@ -19,6 +19,8 @@ pub const VERSIONS: &[&str] = &["catoptric/1"];
 
 /// The shapes with a height, which base and top points can place.
 const UPRIGHT: &[&str] = &["cylinder", "cone", "paraboloid"];
+/// The shapes with parts.
+const COMPOUND: &[&str] = &["union", "intersection", "difference", "group"];
 /// What `base` and `top` say, so that nothing else may.
 pub(crate) const SAID_BY_AXIS: &[&str] = &["position", "rotation", "height", "focal_length"];
 const WHITE: Default = Default::Vector([1.0; 3]);
@@ -29,8 +31,8 @@ const fn color(color: Color) -> Default {
 }
 
 /// All tables of the format.
-pub static TABLES: [&TableSpec; 9] =
-    [&ROOT, &CAMERA, &ENVIRONMENT, &SKY, &TRACING, &MATERIAL, &CHECKER, &LIGHT, &BODY];
+pub static TABLES: [&TableSpec; 10] =
+    [&ROOT, &CAMERA, &ENVIRONMENT, &SKY, &TRACING, &MATERIAL, &CHECKER, &LIGHT, &BODY, &PART];
 
 /// The file itself.
 pub static ROOT: TableSpec = TableSpec {
@@ -323,72 +325,19 @@ pub static BODY: TableSpec = TableSpec {
     doc: "A body: a shape, where it stands and what it is made of",
     keys: &[
         KeySpec::new("name", Kind::Text, "a name that no other body has"),
-        KeySpec::new("shape", Kind::Choice(&SHAPE_NAMES), "the shape of the body")
-            .or(Default::Text(ShapeKind::Sphere.key()))
-            .written(),
-        KeySpec::new(
-            "radius",
-            Kind::Number(Limits::LENGTH),
-            "the radius (of the base, for a cone; of the rim, for a paraboloid), meters",
-        )
-        .or(Default::ByChoice(&[("sphere", 1.0), ("cylinder", 0.5), ("cone", 0.5), ("paraboloid", 0.5)]))
-        .only("shape", &["sphere", "cylinder", "cone", "paraboloid"])
-        .written(),
-        KeySpec::new(
-            "top_radius",
-            Kind::Number(Limits::new(0.0, 1e9)),
-            "the radius of the upper cap, meters; 0 makes a pointed cone",
-        )
-        .or(Default::Number(0.0))
-        .only("shape", &["cone"]),
-        KeySpec::new(
-            "size",
-            Kind::NumberOrVector(Limits::LENGTH),
-            "the edge length, or the three edge lengths, meters",
-        )
-        .or(Default::Number(1.0))
-        .only("shape", &["cube"])
-        .written(),
-        KeySpec::new("height", Kind::Number(Limits::LENGTH), "the height, meters")
-            .or(Default::Number(1.0))
-            .only("shape", UPRIGHT)
-            .written(),
-        KeySpec::new(
-            "focal_length",
-            Kind::Number(Limits::LENGTH),
-            "the distance of the focus from the vertex in the place of the height, meters",
-        )
-        .only("shape", &["paraboloid"])
-        .excluding(&["height"]),
-        KeySpec::new(
-            "base",
-            Kind::Vector(Limits::PLACE),
-            "the center of the lower base, or the vertex of a paraboloid, meters",
-        )
-        .only("shape", UPRIGHT)
-        .beside("top", SAID_BY_AXIS),
-        KeySpec::new(
-            "top",
-            Kind::Vector(Limits::PLACE),
-            "the center of the upper base, or the apex of a cone, meters",
-        )
-        .only("shape", UPRIGHT)
-        .beside("base", SAID_BY_AXIS),
+        SHAPE,
+        RADIUS,
+        TOP_RADIUS,
+        SIZE,
+        HEIGHT,
+        FOCAL_LENGTH,
+        BASE,
+        TOP,
         KeySpec::new("position", Kind::Vector(Limits::PLACE), "the place of the body's own origin, meters")
             .or(Default::Vector([0.0; 3]))
             .written(),
-        KeySpec::new(
-            "rotation",
-            Kind::Vector(Limits::new(-1e6, 1e6)),
-            "the turns about the fixed X, then Y, then Z axis, degrees",
-        )
-        .or(Default::Vector([0.0; 3])),
-        KeySpec::new(
-            "scale",
-            Kind::NumberOrVector(Limits::LENGTH),
-            "the factor, or the three factors, of the size",
-        )
-        .or(Default::Number(1.0)),
+        ROTATION,
+        SCALE,
         KeySpec::new(
             "material",
             Kind::NameOrTable(&MATERIAL),
@@ -400,8 +349,109 @@ pub static BODY: TableSpec = TableSpec {
             "whether the body takes no part in the picture: not seen, not reflected, without a shadow",
         ),
         flag("locked", "whether the studio leaves the body as it is; no picture depends on it"),
+        parts(&PART),
     ],
 };
+
+/// `[[bodies.parts]]`, and `[[bodies.parts.parts]]` within.
+pub static PART: TableSpec = TableSpec {
+    name: "a part of a body",
+    doc: "A part of a body: a shape, where it stands in the frame of the whole and what it is made of",
+    keys: &[
+        KeySpec::new("name", Kind::Text, "a name that no other part of the same whole has"),
+        SHAPE,
+        RADIUS,
+        TOP_RADIUS,
+        SIZE,
+        HEIGHT,
+        FOCAL_LENGTH,
+        BASE,
+        TOP,
+        KeySpec::new(
+            "position",
+            Kind::Vector(Limits::PLACE),
+            "the place of the part's own origin in the frame of the whole, meters",
+        )
+        .or(Default::Vector([0.0; 3])),
+        ROTATION,
+        SCALE,
+        KeySpec::new(
+            "material",
+            Kind::NameOrTable(&MATERIAL),
+            "the name of a material, or a material of its own; without it, that of the whole",
+        ),
+        parts(&PART),
+    ],
+};
+
+const SHAPE: KeySpec = KeySpec::new("shape", Kind::Choice(&SHAPE_NAMES), "the shape of the body")
+    .or(Default::Text(ShapeKind::Sphere.key()))
+    .written();
+const RADIUS: KeySpec = KeySpec::new(
+    "radius",
+    Kind::Number(Limits::LENGTH),
+    "the radius (of the base, for a cone; of the rim, for a paraboloid), meters",
+)
+.or(Default::ByChoice(&[("sphere", 1.0), ("cylinder", 0.5), ("cone", 0.5), ("paraboloid", 0.5)]))
+.only("shape", &["sphere", "cylinder", "cone", "paraboloid"])
+.written();
+const TOP_RADIUS: KeySpec = KeySpec::new(
+    "top_radius",
+    Kind::Number(Limits::new(0.0, 1e9)),
+    "the radius of the upper cap, meters; 0 makes a pointed cone",
+)
+.or(Default::Number(0.0))
+.only("shape", &["cone"]);
+const SIZE: KeySpec = KeySpec::new(
+    "size",
+    Kind::NumberOrVector(Limits::LENGTH),
+    "the edge length, or the three edge lengths, meters",
+)
+.or(Default::Number(1.0))
+.only("shape", &["cube"])
+.written();
+const HEIGHT: KeySpec = KeySpec::new("height", Kind::Number(Limits::LENGTH), "the height, meters")
+    .or(Default::Number(1.0))
+    .only("shape", UPRIGHT)
+    .written();
+const FOCAL_LENGTH: KeySpec = KeySpec::new(
+    "focal_length",
+    Kind::Number(Limits::LENGTH),
+    "the distance of the focus from the vertex in the place of the height, meters",
+)
+.only("shape", &["paraboloid"])
+.excluding(&["height"]);
+const BASE: KeySpec = KeySpec::new(
+    "base",
+    Kind::Vector(Limits::PLACE),
+    "the center of the lower base, or the vertex of a paraboloid, meters",
+)
+.only("shape", UPRIGHT)
+.beside("top", SAID_BY_AXIS);
+const TOP: KeySpec = KeySpec::new(
+    "top",
+    Kind::Vector(Limits::PLACE),
+    "the center of the upper base, or the apex of a cone, meters",
+)
+.only("shape", UPRIGHT)
+.beside("base", SAID_BY_AXIS);
+const ROTATION: KeySpec = KeySpec::new(
+    "rotation",
+    Kind::Vector(Limits::new(-1e6, 1e6)),
+    "the turns about the fixed X, then Y, then Z axis, degrees",
+)
+.or(Default::Vector([0.0; 3]));
+const SCALE: KeySpec = KeySpec::new(
+    "scale",
+    Kind::NumberOrVector(Limits::LENGTH),
+    "the factor, or the three factors, of the size",
+)
+.or(Default::Number(1.0));
+
+/// `parts`; a table has itself within only by a reference that it is given.
+const fn parts(table: &'static TableSpec) -> KeySpec {
+    KeySpec::new("parts", Kind::List(table), "what the body is joined of").only("shape", COMPOUND)
+}
 
 /// Words of the shapes.
 const SHAPE_NAMES: [&str; ShapeKind::ALL.len()] = {

@@ -278,7 +278,7 @@ impl<'t> Reader<'t> {
         }
         self.found.append(&mut self.syntax);
         if !self.found.has_errors() {
-            names::warn(&self.scene, &materials, &is_used, &mut self.found);
+            names::warn(&self.scene, &self.places, &materials, &is_used, &mut self.found);
         }
     }
 

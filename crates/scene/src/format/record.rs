@@ -4,15 +4,17 @@ use std::borrow::Cow;
 
 use glam::DVec3;
 
-use crate::body::{Anchor, Body};
+use crate::body::Body;
 use crate::camera::{Camera, Projection};
 use crate::color::Color;
+use crate::compound::{BodyPart, Form};
 use crate::format::keys;
 use crate::format::material;
 use crate::format::spec::{Default, KeySpec, Kind, TableSpec, When};
 use crate::image::Image;
 use crate::light::{Falloff, Light};
 use crate::material::MaterialChoice;
+use crate::placement::Anchor;
 use crate::{Environment, Sky, Surroundings, Tracing};
 
 /// A value of the document.
@@ -25,6 +27,8 @@ pub(crate) enum Datum<'a> {
     Text(Cow<'a, str>),
     Flag(bool),
     Table(Record<'a>),
+    /// A list of tables.
+    Tables(Vec<Record<'a>>),
 }
 
 /// The keys of one table that apply, with their values, in the order of writing.
@@ -205,27 +209,54 @@ pub(crate) fn light(light: &Light) -> Record<'_> {
 }
 
 pub(crate) fn body(body: &Body) -> Record<'_> {
-    let mut record = Record::new(&keys::BODY).name(&body.name).text("shape", body.shape.key());
-    let is_on_axis = matches!(body.placement.anchor, Anchor::Axis { .. });
-    for key in keys::BODY.keys.iter().filter(|key| !(is_on_axis && keys::SAID_BY_AXIS.contains(&key.name))) {
-        if let Some(number) = body.shape.number(key.name) {
+    let record = geometry(Record::new(&keys::BODY).name(&body.name), &body.form());
+    let record = material_choice(record, &body.material);
+    with_parts(record.flag("hidden", body.hidden).flag("locked", body.locked), &body.form())
+}
+
+pub(crate) fn part(part: &BodyPart) -> Record<'_> {
+    let mut record = geometry(Record::new(&keys::PART).name(&part.name), &part.form());
+    if let Some(material) = &part.material {
+        record = material_choice(record, material);
+    }
+    with_parts(record, &part.form())
+}
+
+/// Shape, sizes and place.
+fn geometry<'a>(record: Record<'a>, form: &Form<'_>) -> Record<'a> {
+    let mut record = record.with("shape", Datum::Text(Cow::Borrowed(form.shape.key())));
+    let is_on_axis = matches!(form.placement.anchor, Anchor::Axis { .. });
+    for key in
+        record.table.0.keys.iter().filter(|key| !(is_on_axis && keys::SAID_BY_AXIS.contains(&key.name)))
+    {
+        if let Some(number) = form.shape.number(key.name) {
             record = record.number(key.name, number);
-        } else if let Some(vector) = body.shape.vector(key.name) {
+        } else if let Some(vector) = form.shape.vector(key.name) {
             record = record.number_or_vector(key.name, vector);
         }
     }
-    record = match body.placement.anchor {
+    record = match form.placement.anchor {
         Anchor::Frame { position, rotation_degrees } => {
             record.vector("position", position).vector("rotation", rotation_degrees)
         }
         Anchor::Axis { base, top } => record.vector("base", base).vector("top", top),
     };
-    record = record.number_or_vector("scale", body.placement.scale);
-    record = match &body.material {
+    record.number_or_vector("scale", form.placement.scale)
+}
+
+fn material_choice<'a>(record: Record<'a>, choice: &'a MaterialChoice) -> Record<'a> {
+    match choice {
         MaterialChoice::Named(name) => record.text("material", name),
         MaterialChoice::Inline(own) => record.with("material", Datum::Table(material::record(own))),
-    };
-    record.flag("hidden", body.hidden).flag("locked", body.locked)
+    }
+}
+
+/// The parts of a compound shape.
+fn with_parts<'a>(record: Record<'a>, form: &Form<'a>) -> Record<'a> {
+    match form.shape.is_compound() {
+        true => record.with("parts", Datum::Tables(form.parts.iter().map(part).collect())),
+        false => record,
+    }
 }
 
 #[cfg(test)]
@@ -270,16 +301,19 @@ mod tests {
             let record = body(&body_of);
             for (name, datum) in &record.values {
                 let (_, key) = keys::BODY.find(name).unwrap();
-                assert!(*name == "shape" || record.is_default(key, datum), "{name} of {kind:?}");
+                let is_said = *name == "shape" || *name == "parts";
+                assert!(is_said || record.is_default(key, datum), "{name} of {kind:?}");
             }
             // A shape has the sizes that have a default for it, and no others.
-            for key in keys::BODY.keys.iter().filter(|key| matches!(key.when, When::Choice { .. })) {
+            let depends = |key: &&KeySpec| matches!(key.when, When::Choice { .. }) && key.name != "parts";
+            for key in keys::BODY.keys.iter().filter(depends) {
                 let has_default =
                     key.belongs_to("shape", kind.key()) && key.default_number(Some(kind.key())).is_some();
                 assert_eq!(record.get(key.name).is_some(), has_default, "{} of {kind:?}", key.name);
             }
         }
         assert!(body(&Body::default()).is_all_default());
+        assert!(part(&BodyPart::default()).is_all_default());
         let parallel = Camera { projection: Projection::Parallel { height: 5.0 }, ..Camera::default() };
         assert!(camera(&parallel).is_default(keys::CAMERA.find("height").unwrap().1, &Datum::Number(5.0)));
         let linear = Light { falloff: Falloff::Linear { constant: 1.0 }, ..Light::default() };

@@ -1,7 +1,8 @@
 //! Rules that hold between several values; the reader and the validation of scenes in memory share them.
 
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 
+use crate::compound::Form;
 use crate::format::message::Message;
 use crate::format::spec::Limits;
 use crate::shape::Shape;
@@ -71,6 +72,40 @@ pub(crate) fn depth(shape: &Shape) -> Option<BrokenRule> {
         message: Message::FocalLengthBesideRadius,
         help: Message::HeightOfParaboloid,
     })
+}
+
+/// What has parts needs one, and a union, an intersection or a difference has no more than rays can keep apart.
+pub(crate) fn parts(form: &Form<'_>) -> Option<BrokenRule> {
+    let shape = form.shape.key();
+    if !form.shape.is_compound() {
+        return None;
+    }
+    if form.parts.is_empty() {
+        return Some(BrokenRule {
+            key: "parts",
+            message: Message::NoParts { shape },
+            help: Message::BeginPart,
+        });
+    }
+    let mut count = 0_usize;
+    // A part that has too many is named itself.
+    if form.shape != Shape::Group && form.parts.iter().all(|part| parts(&part.form()).is_none()) {
+        form.each_simple(DAffine3::IDENTITY, &mut |_| count += 1);
+    }
+    (count > Shape::MAX_PARTS).then(|| BrokenRule {
+        key: "parts",
+        message: Message::TooManyParts {
+            shape,
+            count: count.to_string(),
+            most: Shape::MAX_PARTS.to_string(),
+        },
+        help: Message::GroupHasMore,
+    })
+}
+
+/// Whether an intersection holds nothing, as far as the boxes around its parts show it.
+pub(crate) fn is_empty(form: &Form<'_>) -> bool {
+    form.shape == Shape::Intersection && form.extent() == Some([DVec3::ZERO; 2])
 }
 
 /// The distance of two points that should be apart.

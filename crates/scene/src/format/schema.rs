@@ -12,6 +12,7 @@ pub fn json_schema() -> Value {
     schema.insert("title".to_owned(), json!("Catoptric scene, catoptric/1"));
     schema.extend(table(&keys::ROOT));
     schema.insert("required".to_owned(), json!(["format"]));
+    schema.insert("definitions".to_owned(), json!({ "part": Value::Object(table(&keys::PART)) }));
     Value::Object(schema)
 }
 
@@ -86,6 +87,10 @@ fn kind(kind: Kind) -> Map<String, Value> {
             "propertyNames": { "minLength": 1 },
             "additionalProperties": Value::Object(table(spec)),
         }),
+        // Parts have parts.
+        Kind::List(spec) if *spec == keys::PART => {
+            json!({ "type": "array", "items": { "$ref": "#/definitions/part" }, "minItems": 1 })
+        }
         Kind::List(spec) => json!({ "type": "array", "items": Value::Object(table(spec)) }),
     };
     match value {
@@ -105,7 +110,7 @@ fn three(limits: Limits) -> Value {
     json!({ "type": "array", "items": number("number", limits), "minItems": 3, "maxItems": 3 })
 }
 
-/// For every word of a choice: the keys that have no meaning with it.
+/// For every word of a choice: the keys that have no meaning with it, and the lists that it needs.
 fn conditions(spec: &'static TableSpec) -> Vec<Value> {
     let mut out = Vec::new();
     for choice in spec.keys {
@@ -117,7 +122,10 @@ fn conditions(spec: &'static TableSpec) -> Vec<Value> {
                 .filter(|key| !key.applies(|name| (name == choice.name).then_some(word)))
                 .map(|key| json!({ "required": [key.name] }))
                 .collect();
-            if forbidden.is_empty() {
+            let is_required =
+                |key: &&KeySpec| matches!(key.kind, Kind::List(_)) && key.belongs_to(choice.name, word);
+            let required: Vec<&str> = spec.keys.iter().filter(is_required).map(|key| key.name).collect();
+            if forbidden.is_empty() && required.is_empty() {
                 continue;
             }
             let is_default = matches!(choice.default, Default::Text(default) if default == word);
@@ -125,7 +133,13 @@ fn conditions(spec: &'static TableSpec) -> Vec<Value> {
             if let (Value::Object(condition), false) = (&mut condition, is_default) {
                 condition.insert("required".to_owned(), json!([choice.name]));
             }
-            out.push(json!({ "if": condition, "then": { "not": { "anyOf": forbidden } } }));
+            // An empty list of alternatives is no schema.
+            let then = match (forbidden.is_empty(), required.is_empty()) {
+                (false, true) => json!({ "not": { "anyOf": forbidden } }),
+                (true, _) => json!({ "required": required }),
+                (false, false) => json!({ "required": required, "not": { "anyOf": forbidden } }),
+            };
+            out.push(json!({ "if": condition, "then": then }));
         }
     }
     out

@@ -75,6 +75,8 @@ pub(crate) enum ValueKind<'t> {
     /// An inline table as it is written; [`Table`] checks it.
     Inline(Vec<Assignment<'t>>),
     Table(Table<'t>),
+    /// A list of tables within a table.
+    Tables(Vec<Table<'t>>),
 }
 
 impl ValueKind<'_> {
@@ -86,7 +88,7 @@ impl ValueKind<'_> {
             Self::Number { .. } => FoundValue::Number,
             Self::Boolean(_) => FoundValue::Boolean,
             Self::DateTime => FoundValue::Date,
-            Self::Array(_) => FoundValue::List,
+            Self::Array(_) | Self::Tables(_) => FoundValue::List,
             Self::Inline(_) | Self::Table(_) => FoundValue::Table,
         }
     }

@@ -12,6 +12,7 @@ use crate::format::quote::quoted;
 use crate::format::spec::{KeySpec, Kind, TableSpec};
 use crate::format::toml::{Assignment, Key, Span, Value, ValueKind};
 use crate::format::typed::key_help;
+use crate::shape::Shape;
 
 /// The keys that a table can have.
 #[derive(Clone, Copy, Debug)]
@@ -50,11 +51,13 @@ pub(crate) struct Table<'t> {
     pub(crate) entries: Vec<KeyValue<'t>>,
     /// Places of the entries by name, for tables with names of the user's choice.
     by_name: HashMap<Cow<'t, str>, usize>,
+    /// How many lists within tables are around it.
+    depth: usize,
 }
 
 impl<'t> Table<'t> {
     pub(crate) fn new(schema: Schema, defined: TableOrigin) -> Self {
-        Self { schema, defined, entries: Vec::new(), by_name: HashMap::new() }
+        Self { schema, defined, entries: Vec::new(), by_name: HashMap::new(), depth: 0 }
     }
 
     /// The entry called `name`.
@@ -90,7 +93,7 @@ impl<'t> Table<'t> {
         table.put(key, value, found);
     }
 
-    /// Opens the table of a header; afterwards [`Self::at`] finds it.
+    /// Opens the table of a header, a new one where the path leads to a list; afterwards [`Self::at`] finds it.
     pub(crate) fn open(&mut self, path: &[Key<'t>]) -> Result<(), Box<Diagnostic>> {
         let mut table = self;
         for (index, key) in path.iter().enumerate() {
@@ -100,21 +103,43 @@ impl<'t> Table<'t> {
         Ok(())
     }
 
-    /// The table below this one at `path`.
+    /// The name of the list that a header of this path begins an element of, if it does.
+    pub(crate) fn list_at(&self, path: &[Key<'_>]) -> Option<&'static str> {
+        let mut schema = self.schema;
+        for (index, key) in path.iter().enumerate() {
+            schema = match schema {
+                Schema::Names(spec) => Schema::Keys(spec),
+                Schema::Keys(spec) => match spec.key(&key.text).map(|key| (key.name, key.kind))? {
+                    (_, Kind::Table(spec) | Kind::NameOrTable(spec)) => Schema::Keys(spec),
+                    (_, Kind::Named(spec)) => Schema::Names(spec),
+                    (name, Kind::List(_)) if index + 1 == path.len() => return Some(name),
+                    (_, Kind::List(spec)) => Schema::Keys(spec),
+                    _ => return None,
+                },
+            };
+        }
+        None
+    }
+
+    /// The table below this one at `path`, in the last elements of its lists.
     pub(crate) fn at(&mut self, path: &[Key<'t>]) -> Option<&mut Self> {
         let mut table = self;
         for key in path {
             let place = table.place(&key.text)?;
-            match &mut table.entries.get_mut(place)?.value.kind {
-                ValueKind::Table(child) => table = child,
+            table = match &mut table.entries.get_mut(place)?.value.kind {
+                ValueKind::Table(child) => child,
+                ValueKind::Tables(children) => children.last_mut()?,
                 _ => return None,
-            }
+            };
         }
         Some(table)
     }
 
     /// The table `key` of this one, made if need be; `by` is how it is reached.
     fn step(&mut self, key: &Key<'t>, by: TableOrigin) -> Result<&mut Self, Box<Diagnostic>> {
+        if let Some((name, spec)) = self.list_of(&key.text) {
+            return self.step_into_list(key, name, spec, by);
+        }
         let Some(schema) = self.child_schema(key)? else {
             let message = Message::NotATable { name: quoted(&key.text) };
             let diagnostic = Diagnostic::error(key.span.range(), message);
@@ -147,6 +172,81 @@ impl<'t> Table<'t> {
         Ok(child)
     }
 
+    /// The last element of the list `key` of this table, a new one for a header of its own.
+    fn step_into_list(
+        &mut self,
+        key: &Key<'t>,
+        name: &'static str,
+        spec: &'static TableSpec,
+        by: TableOrigin,
+    ) -> Result<&mut Self, Box<Diagnostic>> {
+        let depth = self.depth + 1;
+        if by == TableOrigin::ByDottedKey || by == TableOrigin::Inline {
+            let finding = Diagnostic::error(key.span.range(), Message::IsAList { name });
+            return Err(finding.with_help(Message::WriteBeforeElement { name: header_name(depth) }).into());
+        }
+        let adds = by == TableOrigin::ByHeader;
+        if adds && depth > Shape::MAX_DEPTH {
+            return Err(too_deep(key.span).into());
+        }
+        if self.place(&key.text).is_none() {
+            if !adds {
+                let finding = Diagnostic::error(key.span.range(), Message::NoElementYet { name });
+                return Err(finding.with_help(Message::BeginElement { name: header_name(depth) }).into());
+            }
+            self.insert(key.clone(), Value { span: key.span, kind: ValueKind::Tables(Vec::new()) });
+        }
+        let list = self.place(&key.text).and_then(|place| self.entries.get_mut(place));
+        let Some(KeyValue { key: first, value: Value { span, kind: ValueKind::Tables(list) } }) = list else {
+            return Err(twice(key, key.span).into());
+        };
+        // A list that is given as a value ends with it; its place is that of the value.
+        if *span != first.span {
+            return Err(twice(key, first.span).into());
+        }
+        if adds {
+            list.push(Self { depth, ..Self::new(Schema::Keys(spec), TableOrigin::ByHeader) });
+        }
+        list.last_mut().ok_or_else(|| twice(key, key.span).into())
+    }
+
+    /// The name and the table of a key that holds a list.
+    fn list_of(&self, name: &str) -> Option<(&'static str, &'static TableSpec)> {
+        let key = self.spec_of(name)?;
+        match key.kind {
+            Kind::List(spec) => Some((key.name, spec)),
+            _ => None,
+        }
+    }
+
+    /// The elements of a list that is given as a value.
+    fn elements(
+        &self,
+        name: &'static str,
+        spec: &'static TableSpec,
+        values: Vec<Value<'t>>,
+        found: &mut Diagnostics,
+    ) -> Vec<Self> {
+        let depth = self.depth + 1;
+        let mut elements = Vec::with_capacity(values.len());
+        for value in values {
+            match value.kind {
+                ValueKind::Inline(assignments) => {
+                    let mut table = Self { depth, ..Self::new(Schema::Keys(spec), TableOrigin::Inline) };
+                    assignments.into_iter().for_each(|assignment| table.assign(assignment, found));
+                    elements.push(table);
+                }
+                ValueKind::Invalid => {}
+                other => {
+                    let message = Message::WrongElement { list: name, found: other.found() };
+                    let finding = Diagnostic::error(value.span.range(), message);
+                    found.push(finding.with_help(Message::WriteBeforeElement { name: header_name(depth) }));
+                }
+            }
+        }
+        elements
+    }
+
     /// The table that was just inserted.
     fn last_table(&mut self, key: &Key<'t>) -> Result<&mut Self, Box<Diagnostic>> {
         match self.entries.last_mut().map(|entry| &mut entry.value.kind) {
@@ -175,6 +275,17 @@ impl<'t> Table<'t> {
             (Some(schema), Value { span, kind: ValueKind::Inline(assignments) }) => {
                 let table = Self::from_inline(schema, assignments, found);
                 Value { span, kind: ValueKind::Table(table) }
+            }
+            (_, Value { span, kind: ValueKind::Array(values) }) => {
+                let kind = match self.list_of(&key.text) {
+                    Some(_) if self.depth >= Shape::MAX_DEPTH => {
+                        found.push(too_deep(key.span));
+                        ValueKind::Invalid
+                    }
+                    Some((name, spec)) => ValueKind::Tables(self.elements(name, spec, values, found)),
+                    None => ValueKind::Array(values),
+                };
+                Value { span, kind }
             }
             (_, value) => value,
         };
@@ -233,6 +344,19 @@ fn twice(key: &Key<'_>, first: Span) -> Diagnostic {
         .with_label(Message::SecondTime)
         .with_help(Message::LeaveOne)
         .with_related(first.range(), Message::FirstTime)
+}
+
+/// What stands in the headers of lists at a depth. Only bodies have lists within them.
+fn header_name(depth: usize) -> String {
+    format!("bodies{}", ".parts".repeat(depth))
+}
+
+/// Parts of parts that are nested deeper than [`Shape::MAX_DEPTH`].
+fn too_deep(span: Span) -> Diagnostic {
+    let most = Shape::MAX_DEPTH.to_string();
+    Diagnostic::error(span.range(), Message::PartsTooDeep)
+        .with_label(Message::OneLevelTooDeep)
+        .with_help(Message::DeepestParts { most })
 }
 
 /// A key that the format does not know.

@@ -10,7 +10,7 @@ use crate::format::material;
 use crate::format::read::read;
 use crate::format::record::{self, Record};
 use crate::format::write::write;
-use edit::{apply, apply_inline, apply_keys, new_table};
+use edit::{apply, elements, keep_in_order, new_table};
 use matching::{MatchedElement, matches};
 
 /// Longer texts are written anew: an editable tree of them would take gigabytes.
@@ -144,7 +144,7 @@ fn materials(document: &mut DocumentMut, original: &Scene, scene: &Scene) -> Opt
         new_names.iter().zip(&new).map(|(name, record)| MatchedElement { name, record }).collect();
     let matched = matches(&old_entries, &new_entries);
     let mut taken: Vec<Option<Item>> = old_names.iter().map(|name| table.remove(name)).collect();
-    let mut last = place;
+    let mut last = Some(place);
     for ((name, new), from) in new_names.iter().zip(&new).zip(matched) {
         let kept = from.and_then(|index| Some((taken.get_mut(index)?.take()?, old.get(index)?)));
         let mut item = match kept {
@@ -154,11 +154,13 @@ fn materials(document: &mut DocumentMut, original: &Scene, scene: &Scene) -> Opt
             }
             None => {
                 let mut table = new_table(new);
-                table.set_position(Some(last));
+                table.set_position(last);
                 Item::Table(table)
             }
         };
-        keep_in_order(&mut item, &mut last);
+        if let Item::Table(table) = &mut item {
+            keep_in_order(table, &mut last);
+        }
         table.insert(name, item);
     }
     if new_names.is_empty() && table.is_empty() {
@@ -177,58 +179,9 @@ fn list(document: &mut DocumentMut, key: &str, old: &[Record<'_>], new: &[Record
         return Some(());
     }
     let place = place_before(document, key);
-    let old_entries: Vec<MatchedElement<'_>> = old.iter().map(MatchedElement::named).collect();
-    let new_entries: Vec<MatchedElement<'_>> = new.iter().map(MatchedElement::named).collect();
-    let matched = matches(&old_entries, &new_entries);
-    let in_place =
-        old.len() == new.len() && matched.iter().enumerate().all(|(index, from)| *from == Some(index));
-    if let Some(array) = document.get_mut(key).and_then(Item::as_array_mut).filter(|_| in_place) {
-        for ((value, old), new) in array.iter_mut().zip(old).zip(new) {
-            apply_inline(value.as_inline_table_mut()?, old, new)?;
-        }
-        return Some(());
-    }
-    let mut taken: Vec<Option<Table>> = match document.get_mut(key).map(std::mem::take) {
-        Some(item) => item.into_array_of_tables().ok()?.into_iter().map(Some).collect(),
-        None => Vec::new(),
-    };
-    let mut tables = ArrayOfTables::new();
-    let mut last = place;
-    for (new, from) in new.iter().zip(matched) {
-        let kept = from.and_then(|index| Some((taken.get_mut(index)?.take()?, old.get(index)?)));
-        let mut table = match kept {
-            Some((mut table, old)) => {
-                apply_keys(&mut table, old, new)?;
-                table
-            }
-            None => {
-                let mut table = new_table(new);
-                table.set_position(Some(last));
-                table
-            }
-        };
-        keep_table_in_order(&mut table, &mut last);
-        tables.push(table);
-    }
-    document.insert(key, Item::ArrayOfTables(tables));
-    Some(())
-}
-
-/// Moves the headers of an item behind those before it.
-fn keep_in_order(item: &mut Item, last: &mut isize) {
-    if let Item::Table(table) = item {
-        keep_table_in_order(table, last);
-    }
-}
-
-fn keep_table_in_order(table: &mut Table, last: &mut isize) {
-    if table.position().is_none_or(|position| position < *last) {
-        table.set_position(Some(*last));
-    }
-    *last = table.position().unwrap_or(*last);
-    for (_, item) in table.iter_mut() {
-        keep_in_order(item, last);
-    }
+    let list =
+        document.as_table_mut().entry(key).or_insert_with(|| Item::ArrayOfTables(ArrayOfTables::new()));
+    elements(list, old, new, Some(place))
 }
 
 #[cfg(test)]

@@ -61,16 +61,26 @@ fn push_key_text(out: &mut String, key: &str, text: &str) {
     out.push('\n');
 }
 
-/// A blank line, the header and the keys of a table.
+/// A blank line, the header and the keys of a table, then the elements of its lists.
 fn push_section(out: &mut String, header: &str, record: &Record<'_>) {
     out.push('\n');
     out.push_str(header);
     out.push('\n');
+    let mut lists = Vec::new();
     for (key, datum) in record.written() {
+        if let Datum::Tables(elements) = datum {
+            lists.push((key, elements));
+            continue;
+        }
         out.push_str(key);
         out.push_str(" = ");
         push_datum(out, datum);
         out.push('\n');
+    }
+    let name = header.trim_matches(['[', ']']);
+    for (key, elements) in lists {
+        let header = format!("[[{name}.{key}]]");
+        elements.iter().for_each(|element| push_section(out, &header, element));
     }
 }
 
@@ -88,18 +98,28 @@ pub(super) fn push_datum(out: &mut String, datum: &Datum<'_>) {
             }
             out.push(']');
         }
-        Datum::Table(record) => {
-            let mut is_empty = true;
-            for (key, datum) in record.written() {
-                out.push_str(if is_empty { "{ " } else { ", " });
-                is_empty = false;
-                out.push_str(key);
-                out.push_str(" = ");
-                push_datum(out, datum);
+        Datum::Tables(records) => {
+            for (index, record) in records.iter().enumerate() {
+                out.push_str(if index == 0 { "[" } else { ", " });
+                push_table(out, record);
             }
-            out.push_str(if is_empty { "{}" } else { " }" });
+            out.push_str(if records.is_empty() { "[]" } else { "]" });
         }
+        Datum::Table(record) => push_table(out, record),
     }
+}
+
+/// Appends an inline table.
+fn push_table(out: &mut String, record: &Record<'_>) {
+    let mut is_empty = true;
+    for (key, datum) in record.written() {
+        out.push_str(if is_empty { "{ " } else { ", " });
+        is_empty = false;
+        out.push_str(key);
+        out.push_str(" = ");
+        push_datum(out, datum);
+    }
+    out.push_str(if is_empty { "{}" } else { " }" });
 }
 
 /// A name as a key: bare where it can be.

@@ -3,8 +3,8 @@
 use catoptric_scene::format::spec::{KeySpec, Kind, Limits};
 use catoptric_scene::{
     AddressError, Body, Dielectric, Language, List, Material, MaterialChoice, Model, NamedMaterial,
-    NoResources, RefractiveIndex, Scene, SceneEdit, SceneKey, ScenePart, ScenePath, SceneValue, Surroundings,
-    read, write,
+    NoResources, RefractiveIndex, Scene, SceneEdit, SceneKey, ScenePart, ScenePath, SceneValue, Shape,
+    Surroundings, read, write,
 };
 use proptest::prelude::*;
 
@@ -329,12 +329,66 @@ fn a_key_knows_its_unit_and_what_it_can_be() {
     assert_eq!(key("bodies.rod.rotation").unit(Language::Russian), Some("градусы"));
     assert_eq!(
         key("bodies.ball.shape").meaning(Language::English),
-        "the shape of the body: \"sphere\", \"cube\", \"cylinder\", \"cone\", \"paraboloid\" or \"plane\""
+        "the shape of the body: \"sphere\", \"cube\", \"cylinder\", \"cone\", \"paraboloid\", \"plane\", \
+         \"union\", \"intersection\", \"difference\" or \"group\""
     );
     assert_eq!(
         key("camera.position.x").meaning(Language::Russian),
         "точка наблюдения, метры (от -1e9 до 1e9)"
     );
+}
+
+/// A lens of two balls, one of them within a group.
+fn lens() -> Scene {
+    let text = "format = 'catoptric/1'\n[materials.glass]\n[[bodies]]\nname = 'lens'\nshape = 'intersection'\n\
+                [[bodies.parts]]\nname = 'front'\nradius = 2\nmaterial = { ior = 1.6 }\n\
+                [[bodies.parts]]\nshape = 'group'\n[[bodies.parts.parts]]\nradius = 3\nmaterial = 'glass'\n";
+    read(text).into_result().unwrap().value
+}
+
+#[test]
+fn parts_have_addresses() {
+    let mut scene = lens();
+    for (at, value) in [
+        ("bodies.lens.parts.0.radius", "2"),
+        ("bodies.lens.parts.front.material.ior", "1.6"),
+        ("bodies.lens.parts.1.parts.0.radius", "3"),
+        ("bodies.lens.parts.1.parts.0.material", "\"glass\""),
+        ("bodies.lens.parts.1.position.y", "0"),
+    ] {
+        assert_eq!(get(&scene, at), value, "{at}");
+    }
+    let unchanged = scene.clone();
+    for (edit, expected) in [
+        ("bodies.lens.parts.2.radius=1", "`parts` has no element `2`"),
+        ("bodies.lens.parts.frnt.radius=1", "`parts` has no element `frnt`"),
+        ("bodies.lens.parts.0.hidden=true", "a part of a body has no key `hidden`"),
+        ("bodies.lens.parts.0=1", "`0` is not one value, but several"),
+        ("bodies.lens.parts=1", "`parts` is not one value, but several"),
+        ("bodies.lens.parts.0.radius=-1", "`radius` is `-1`, but must be greater than 0"),
+        ("bodies.lens.parts.1.parts.0.material.ior=2", "the body shares the material `\"glass\"`"),
+        ("bodies.lens.parts.0.material=glas", "the material `glas` is not defined"),
+        ("bodies.lens.shape=cube;bodies.lens.parts.0.radius=1", "`parts` is only for `shape`"),
+    ] {
+        let edits: Vec<&str> = edit.split(';').collect();
+        let error = set(&mut scene, &edits).unwrap_err().to_string();
+        assert!(error.starts_with(expected), "{edit}: {error}");
+        assert_eq!(scene, unchanged);
+    }
+    set(&mut scene, &["bodies.lens.parts.1.parts.0.radius=4", "bodies.lens.parts.front.shape=cube"]).unwrap();
+    set(&mut scene, &["bodies.lens.parts.front.name=back", "bodies.lens.parts.1.material.ior=1.7"]).unwrap();
+    assert_eq!(scene.bodies[0].parts[1].parts[0].shape, Shape::Sphere { radius: 4.0 });
+    assert_eq!(
+        (scene.bodies[0].parts[0].name.as_str(), scene.bodies[0].parts[0].shape),
+        ("back", Shape::CUBE)
+    );
+    assert_eq!(get(&scene, "bodies.lens.parts.1.material.ior"), "1.7");
+    scene.unset(&path("bodies.lens.parts.1.parts.0.material")).unwrap();
+    assert_eq!(scene.bodies[0].parts[1].parts[0].material, None);
+    set(&mut scene, &["bodies.lens.shape=cube"]).unwrap();
+    assert!(scene.bodies[0].parts.is_empty());
+    let error = set(&mut scene, &["bodies.lens.shape=union"]).unwrap_err().to_string();
+    assert!(error.starts_with("a union needs at least one part"), "{error}");
 }
 
 /// Random numbers by S. Vigna's splitmix64.
@@ -408,8 +462,9 @@ fn check_key(before: &Scene, key: &SceneKey, random: &mut Random) -> Result<(), 
     if let Err(error) = scene.edit(&edits) {
         // Only the rules between several values are left to be broken.
         let rules = ["`target` and", "`up` is", "`base` and `top` are", "`focal_length` gives a height"];
+        let error = error.to_string();
         prop_assert!(
-            rules.iter().any(|rule| error.to_string().starts_with(rule)),
+            rules.iter().any(|rule| error.starts_with(rule)) || error.contains("needs at least one part"),
             "{path} = {value}: {error}"
         );
         prop_assert_eq!(&scene, before);
@@ -417,7 +472,10 @@ fn check_key(before: &Scene, key: &SceneKey, random: &mut Random) -> Result<(), 
     }
     let renamed = (*spec.name == *"name").then(|| {
         let text = path.to_string();
-        let list = text.split('.').next().unwrap();
+        let list = match text.rsplit_once(".parts.") {
+            Some((whole, _)) => format!("{whole}.parts"),
+            None => text.split('.').next().unwrap().to_owned(),
+        };
         format!("{list}.{value}.name").parse::<ScenePath>().unwrap()
     });
     let path = renamed.as_ref().unwrap_or(path);

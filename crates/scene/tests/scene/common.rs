@@ -2,7 +2,7 @@
 
 use catoptric_optics::{CLEAR, METALS};
 use catoptric_scene::{
-    Anchor, Attenuation, Body, Camera, Checker, CheckerSpace, Coated, Color, Conductor, Dielectric,
+    Anchor, Attenuation, Body, BodyPart, Camera, Checker, CheckerSpace, Coated, Color, Conductor, Dielectric,
     Environment, Falloff, Image, ImageSource, Light, Material, MaterialChoice, Matte, MetalOptics, Mirror,
     Model, NamedMaterial, ParaboloidDepth, Pattern, Phong, Placement, Projection, RefractiveIndex, Scene,
     Shape, Sky, Surroundings, ThinDielectric, Tracing,
@@ -148,7 +148,7 @@ pub(crate) fn material() -> impl Strategy<Value = Material> {
     proptest::strategy::Union::new(std::iter::once(default).chain(Model::ALL.map(of_model))).boxed()
 }
 
-fn shape_and_anchor() -> impl Strategy<Value = (Shape, Anchor)> {
+fn shape_and_anchor() -> BoxedStrategy<(Shape, Anchor)> {
     let frame = || {
         (place(), place()).prop_map(|(position, turn)| Anchor::Frame {
             position,
@@ -187,7 +187,7 @@ fn shape_and_anchor() -> impl Strategy<Value = (Shape, Anchor)> {
             let scene = Scene { bodies: [body].into(), ..Scene::default() };
             scene.check().is_empty().then_some((shape, anchor))
         });
-    prop_oneof![3 => (framed, frame()), 1 => on_axis]
+    prop_oneof![3 => (framed, frame()), 1 => on_axis].boxed()
 }
 
 fn light() -> impl Strategy<Value = Light> {
@@ -228,18 +228,44 @@ fn name() -> impl Strategy<Value = String> {
     prop_oneof![Just(String::new()), "[a-d]", "[a-c \"'\\\\#=.\\]ж\u{7f}\n\t\u{1}]{1,4}"]
 }
 
-fn body() -> impl Strategy<Value = Body> {
-    let choice = prop_oneof![
+/// Boxed, since a strategy of strategies fills the stack.
+fn choice() -> BoxedStrategy<MaterialChoice> {
+    prop_oneof![
         any::<u8>().prop_map(|index| MaterialChoice::Named(index.to_string())),
         material().prop_map(|material| MaterialChoice::Inline(Box::new(material)))
-    ];
-    let flags = any::<[bool; 2]>();
-    (name(), shape_and_anchor(), lengths(), choice, flags).prop_map(
-        |(name, (shape, anchor), scale, material, [hidden, locked])| {
+    ]
+    .boxed()
+}
+
+/// A part of a body: mostly a simple one.
+fn part() -> impl Strategy<Value = BodyPart> {
+    let simple = (name(), shape_and_anchor(), lengths(), proptest::option::of(choice())).prop_map(
+        |(name, (shape, anchor), scale, material)| {
             let placement = Placement { anchor, scale };
-            Body { name, shape, placement, material, hidden, locked }
+            BodyPart { name, shape, placement, material, parts: Vec::new() }
         },
-    )
+    );
+    simple.prop_recursive(3, 12, 3, |inner| {
+        let shapes = vec![Shape::Union, Shape::Intersection, Shape::Difference, Shape::Group];
+        let parts = proptest::collection::vec(inner, 1..4);
+        (name(), proptest::sample::select(shapes), place(), lengths(), proptest::option::of(choice()), parts)
+            .prop_map(|(name, shape, position, scale, material, parts)| BodyPart {
+                name,
+                shape,
+                placement: Placement { scale, ..Placement::at(position) },
+                material,
+                parts: unique(parts, |part| &mut part.name),
+            })
+    })
+}
+
+fn body() -> BoxedStrategy<Body> {
+    (part(), choice(), any::<[bool; 2]>())
+        .prop_map(|(part, own, [hidden, locked])| {
+            let BodyPart { name, shape, placement, material, parts } = part;
+            Body { name, shape, placement, material: material.unwrap_or(own), hidden, locked, parts }
+        })
+        .boxed()
 }
 
 fn unique<T>(mut list: Vec<T>, name: impl Fn(&mut T) -> &mut String) -> Vec<T> {
@@ -269,13 +295,14 @@ pub(crate) fn scene() -> impl Strategy<Value = Scene> {
         let mut bodies = unique(bodies, |body| &mut body.name);
         for body in &mut bodies {
             // A number stands for one of the materials.
-            if let MaterialChoice::Named(name) = &mut body.material {
+            body.each_material_mut(&mut |choice| {
+                let MaterialChoice::Named(name) = choice else { return };
                 let index: usize = name.parse().unwrap();
                 match materials.get(index % materials.len().max(1)) {
                     Some(named) => name.clone_from(&named.name),
-                    None => body.material = MaterialChoice::default(),
+                    None => *choice = MaterialChoice::default(),
                 }
-            }
+            });
         }
         Scene {
             camera,

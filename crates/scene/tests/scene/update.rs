@@ -193,3 +193,93 @@ fn other_notations_survive() {
     let expected = expected.replace("# dotted\r\n", "# dotted\r\ncamera.up = [0.0, 0.0, 1.0]\r\n");
     assert_eq!(update(text, &scene), expected);
 }
+
+/// A lens with a comment at every line, by headers; a pipe by a value.
+const PARTS: &str = "\
+format = \"catoptric/1\"
+
+# the lens
+[[bodies]] # whole
+name = \"lens\" # its name
+shape = \"intersection\" # both
+# the front
+[[bodies.parts]] # one
+name = \"front\"
+radius = 2 # meters
+position = [0, 0, -1] # before
+# the back
+[[bodies.parts]] # two
+shape = \"union\"
+[[bodies.parts.parts]] # inner
+radius = 3 # also
+
+# the pipe
+[[bodies]]
+shape = \"difference\"
+parts = [
+    { shape = \"cube\", size = 2 }, # outside
+    { radius = 0.5 }, # inside
+]
+# end
+";
+
+/// The text after an edit, which reads back as the edited scene.
+fn edited(edit: impl FnOnce(&mut Scene)) -> String {
+    let mut scene = read(PARTS).into_result().unwrap().value;
+    edit(&mut scene);
+    assert_eq!(scene.check(), []);
+    let updated = update(PARTS, &scene);
+    assert_eq!(read(&updated).into_result().unwrap().value, scene, "{updated}");
+    assert_eq!(update(&updated, &scene), updated);
+    updated
+}
+
+#[test]
+fn an_edited_part_leaves_all_others_alone() {
+    let replaced = |from: &str, to: &str| {
+        assert!(PARTS.contains(from), "{from}");
+        PARTS.replace(from, to)
+    };
+    let text = edited(|scene| scene.bodies[0].parts[0].shape = Shape::Sphere { radius: 2.5 });
+    assert_eq!(text, replaced("radius = 2 # meters", "radius = 2.5 # meters"));
+    let text = edited(|scene| scene.bodies[0].parts[1].parts[0].shape = Shape::Sphere { radius: 1.0 });
+    assert_eq!(text, replaced("radius = 3 # also", "radius = 1.0 # also"));
+    let text = edited(|scene| scene.bodies[1].parts[1].shape = Shape::Sphere { radius: 0.25 });
+    assert_eq!(text, replaced("{ radius = 0.5 }, # inside", "{ radius = 0.25 }, # inside"));
+    let text = edited(|scene| scene.bodies[1].parts[0].name = "case".to_owned());
+    assert!(
+        text.contains("# outside") && text.contains("name = \"case\"") && text.contains("# inside"),
+        "{text}"
+    );
+}
+
+#[test]
+fn parts_come_go_and_change_places_with_their_comments() {
+    let text = edited(|scene| scene.bodies[0].parts.swap(0, 1));
+    let places = ["# two", "# inner", "# also", "# one", "# before", "# the pipe"];
+    let found: Vec<usize> = places.iter().map(|comment| text.find(comment).unwrap()).collect();
+    assert!(found.is_sorted(), "{text}");
+    let text = edited(|scene| {
+        let part = scene.bodies[0].parts[0].clone();
+        scene.bodies[0].parts.push(catoptric_scene::BodyPart { name: "third".to_owned(), ..part });
+    });
+    assert!(text.find("# inner").unwrap() < text.find("\"third\"").unwrap(), "{text}");
+    assert!(text.find("\"third\"").unwrap() < text.find("# the pipe").unwrap(), "{text}");
+    let text = edited(|scene| drop(scene.bodies[0].parts.remove(0)));
+    assert!(!text.contains("# before") && text.contains("# inner") && text.contains("# inside"), "{text}");
+    let text = edited(|scene| scene.bodies.swap(0, 1));
+    let places = ["# outside", "# whole", "# one", "# inner"];
+    let found: Vec<usize> = places.iter().map(|comment| text.find(comment).unwrap()).collect();
+    assert!(found.is_sorted(), "{text}");
+    let text = edited(|scene| {
+        scene.bodies[1].shape = Shape::CUBE;
+        scene.bodies[1].parts.clear();
+    });
+    assert!(!text.contains("# inside") && text.contains("# end"), "{text}");
+    let text = edited(|scene| {
+        let whole = &mut scene.bodies[0].parts[0];
+        whole.shape = Shape::Group;
+        whole.parts = vec![catoptric_scene::BodyPart::default()];
+    });
+    assert!(text.contains("[[bodies.parts.parts]]\nshape = \"sphere\"\nradius = 1.0\n"), "{text}");
+}

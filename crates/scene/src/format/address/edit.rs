@@ -4,7 +4,7 @@ use std::str::FromStr;
 
 use super::error::{AddressError, refused};
 use super::path::ScenePath;
-use super::resolve::{Address, record};
+use super::resolve::{Address, TableStep, record};
 use super::value::SceneValue;
 use crate::Scene;
 use crate::body::Body;
@@ -111,29 +111,62 @@ fn change_part(scene: &mut Scene, addresses: &[Address], edits: &[SceneEdit]) ->
     })
 }
 
-/// A key of a part and its value, as a line of a file: `material.checker.size = 1.0`.
+/// A key of a part of the scene and its value, as a line of a file: `material.checker.size = 1.0`.
 struct ElementLine {
-    keys: Vec<&'static str>,
-    value: SceneValue,
+    path: Vec<LineStep>,
+    /// `None` for the header that begins an element of a list.
+    value: Option<SceneValue>,
     /// Which of the changes it is from, if it is from one.
     edit: Option<usize>,
 }
 
+/// A key on the way to a value, and the place in the list that it is the key of.
+type LineStep = (&'static str, Option<usize>);
+
 impl ElementLine {
-    /// Whether it is about the key `name` of the table at `table`, or a key within that.
-    fn is_of(&self, table: &[&'static KeySpec], name: &str) -> bool {
-        let names = table.iter().map(|key| key.name).chain([name]);
-        self.keys.len() > table.len() && self.keys.iter().copied().zip(names).all(|(own, name)| own == name)
+    /// Whether it is about the key `name` of the table at `tables`, or a key within that.
+    fn is_of(&self, tables: &[TableStep], name: &str) -> bool {
+        let around = self.path.iter().zip(tables).all(|(own, step)| *own == (step.key.name, step.element));
+        around && self.path.get(tables.len()).is_some_and(|(own, _)| *own == name)
+    }
+
+    /// The places of the elements that it stands in, from the outermost.
+    fn elements(&self) -> impl Iterator<Item = usize> {
+        self.path.iter().filter_map(|(_, element)| *element)
+    }
+
+    /// Its text. Keys of an element of a list stand under its header.
+    fn push_to(&self, text: &mut String) {
+        let of_lists =
+            self.path.iter().rposition(|(_, element)| element.is_some()).map_or(0, |last| last + 1);
+        let from = if self.value.is_some() { of_lists } else { 0 };
+        let keys: Vec<&str> = self.path.iter().skip(from).map(|(key, _)| *key).collect();
+        let keys = keys.join(".");
+        text.push_str(&match &self.value {
+            Some(value) => format!("{keys} = {value}\n"),
+            None => format!("[[{keys}]]\n"),
+        });
     }
 }
 
 /// Adds the lines of a table that is written at `path`.
-fn add_lines(record: &Record<'_>, path: &mut Vec<&'static str>, lines: &mut Vec<ElementLine>) {
+fn add_lines(record: &Record<'_>, path: &mut Vec<LineStep>, lines: &mut Vec<ElementLine>) {
     for (name, datum) in record.written() {
-        path.push(name);
+        if let Datum::Tables(elements) = datum {
+            for (index, element) in elements.iter().enumerate() {
+                path.push((name, Some(index)));
+                lines.push(ElementLine { path: path.clone(), value: None, edit: None });
+                add_lines(element, path, lines);
+                path.pop();
+            }
+            continue;
+        }
+        path.push((name, None));
         match (datum, SceneValue::of_datum(datum)) {
             (Datum::Table(inner), _) => add_lines(inner, path, lines),
-            (_, Some(value)) => lines.push(ElementLine { keys: path.clone(), value, edit: None }),
+            (_, Some(value)) => {
+                lines.push(ElementLine { path: path.clone(), value: Some(value), edit: None });
+            }
             (_, None) => {}
         }
         path.pop();
@@ -158,7 +191,8 @@ fn put(
     let value = match address.component {
         None => value.clone(),
         Some(index) => {
-            let old = lines.iter().find(|line| line.is_of(tables, key.name)).map(|line| line.value.three());
+            let old = lines.iter().find(|line| line.is_of(tables, key.name));
+            let old = old.map(|line| line.value.as_ref().and_then(SceneValue::three));
             let old = old.unwrap_or_else(|| key.default_vector());
             SceneValue::Vector(with_component(old, index, value).ok_or_else(|| wrong_number(key))?)
         }
@@ -175,8 +209,19 @@ fn put(
             }
         }
     }
-    let keys = tables.iter().chain([key]).map(|key| key.name).collect();
-    lines.push(ElementLine { keys, value, edit: Some(edit) });
+    let around = tables.iter().map(|step| (step.key.name, step.element));
+    let path: Vec<LineStep> = around.chain([(key.name, None)]).collect();
+    // The list may be gone with an earlier change.
+    for (place, (_, element)) in path.iter().enumerate() {
+        let header = path.get(..=place).unwrap_or_default();
+        let stands = |line: &ElementLine| line.value.is_none() && line.path == header;
+        if element.is_some() && !lines.iter().any(stands) {
+            lines.push(ElementLine { path: header.to_vec(), value: None, edit: Some(edit) });
+        }
+    }
+    lines.push(ElementLine { path, value: Some(value), edit: Some(edit) });
+    // The keys of an element stand between its header and that of the next one, in the order of their numbers.
+    lines.sort_by(|one, other| one.elements().cmp(other.elements()));
     Ok(())
 }
 
@@ -206,7 +251,7 @@ impl Element {
         let mut text = String::new();
         let mut ends = Vec::with_capacity(lines.len());
         for line in lines {
-            text.push_str(&format!("{} = {}\n", line.keys.join("."), line.value));
+            line.push_to(&mut text);
             ends.push(text.len());
         }
         let mut found = Diagnostics::default();
@@ -262,6 +307,7 @@ impl Element {
 /// The lines of a text as a table.
 fn table<'t>(text: &'t str, spec: &'static TableSpec, found: &mut Diagnostics) -> Table<'t> {
     let mut table = Table::new(Schema::Keys(spec), TableOrigin::ByHeader);
+    let mut path = Vec::new();
     let mut lines = LogicalLines::new(text);
     while let Some(line) = lines.next() {
         let tokens = match line {
@@ -273,8 +319,19 @@ fn table<'t>(text: &'t str, spec: &'static TableSpec, found: &mut Diagnostics) -
         };
         let parsed = parse(text, tokens);
         parsed.problems.into_iter().for_each(|problem| found.push(problem));
-        if let Some(Statement::Assignment(assignment)) = parsed.statement {
-            table.assign(assignment, found);
+        match parsed.statement {
+            Some(Statement::Assignment(assignment)) => {
+                if let Some(table) = table.at(&path) {
+                    table.assign(assignment, found);
+                }
+            }
+            Some(Statement::Header(header)) => {
+                path = header.path;
+                if let Err(problem) = table.open(&path) {
+                    found.push(*problem);
+                }
+            }
+            None => {}
         }
     }
     table
@@ -298,12 +355,11 @@ fn check_body(scene: &Scene, index: usize, new: &Body) -> Result<(), Fault> {
         let names = scene.bodies.iter().map(|body| body.name.as_str());
         check_name(Collection::Bodies, names, index, &new.name)?;
     }
-    match &new.material {
-        MaterialChoice::Named(name) if scene.material(&new.material).is_none() => {
-            let names = || scene.materials.iter().map(|named| named.name.as_str());
-            Err((undefined_material(name, Span::default(), names).into(), None))
-        }
-        _ => Ok(()),
+    let names = || scene.materials.iter().map(|named| named.name.as_str());
+    let mut used = new.materials().filter_map(MaterialChoice::name);
+    match used.find(|name| names().all(|other| other != *name)) {
+        Some(name) => Err((undefined_material(name, Span::default(), names).into(), None)),
+        None => Ok(()),
     }
 }
 
@@ -334,11 +390,20 @@ mod tests {
 
     #[test]
     fn lines_are_of_their_key_and_those_around_it() {
-        let line = |keys: &[&'static str]| ElementLine { keys: keys.to_vec(), value: 1.0.into(), edit: None };
-        let material = keys::BODY.key("material").unwrap();
+        let line = |keys: &[&'static str]| ElementLine {
+            path: keys.iter().map(|key| (*key, None)).collect(),
+            value: Some(1.0.into()),
+            edit: None,
+        };
+        let material = TableStep { key: keys::BODY.key("material").unwrap(), element: None };
         let size = line(&["material", "checker", "size"]);
         assert!(size.is_of(&[], "material") && size.is_of(&[material], "checker"));
         assert!(!size.is_of(&[], "checker") && !size.is_of(&[material], "size"));
         assert!(!line(&["material"]).is_of(&[material], "color"));
+        let second = TableStep { key: keys::BODY.key("parts").unwrap(), element: Some(1) };
+        let path = vec![("parts", Some(1)), ("radius", None)];
+        let radius = ElementLine { path, ..line(&[]) };
+        assert!(radius.is_of(&[], "parts") && radius.is_of(&[second], "radius"));
+        assert!(!radius.is_of(&[TableStep { element: Some(0), ..second }], "radius"));
     }
 }

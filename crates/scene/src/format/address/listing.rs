@@ -80,12 +80,21 @@ fn add(record: &Record<'_>, path: &[PathSegment], found: &mut Vec<SceneKey>) {
         }
         let segments = [path, &[PathSegment::key(spec.name)]].concat();
         let datum = record.get(spec.name);
+        if let Some(Datum::Tables(elements)) = datum {
+            for (index, element) in elements.iter().enumerate() {
+                let own = match element.get("name") {
+                    Some(Datum::Text(name)) if !name.is_empty() => PathSegment::name(name),
+                    _ => PathSegment::key(&index.to_string()),
+                };
+                add(element, &[segments.as_slice(), &[own]].concat(), found);
+            }
+        }
         let inner = match (datum, spec.kind) {
             (Some(Datum::Table(inner)), _) => Some(inner),
             (None, Kind::Table(table)) => Some(&Record::new(table)),
             _ => None,
         };
-        if !matches!(spec.kind, Kind::Table(_)) {
+        if !matches!(spec.kind, Kind::Table(_) | Kind::List(_)) {
             let value = datum.and_then(SceneValue::of_datum);
             found.push(SceneKey { path: ScenePath { segments: segments.clone() }, spec, value });
         }

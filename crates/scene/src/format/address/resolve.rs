@@ -6,6 +6,7 @@ use super::error::refused;
 use super::path::{PathSegment, ScenePath};
 use super::value::SceneValue;
 use crate::Scene;
+use crate::compound::BodyPart;
 use crate::format::diagnostic::Diagnostic;
 use crate::format::keys;
 use crate::format::message::{Conjunction, Enumeration, KeyMeaning, Message};
@@ -27,8 +28,8 @@ type Refusal = Box<Diagnostic>;
 #[derive(Debug)]
 pub(super) struct Address {
     pub(super) part: ScenePart,
-    /// The keys of tables that lead from the part to the table of the key.
-    pub(super) tables: Vec<&'static KeySpec>,
+    /// The tables that lead from the part to the table of the key.
+    pub(super) tables: Vec<TableStep>,
     /// The table of the key.
     pub(super) table: &'static TableSpec,
     /// The key itself.
@@ -37,22 +38,39 @@ pub(super) struct Address {
     pub(super) component: Option<usize>,
 }
 
+/// A table within a table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct TableStep {
+    /// Its key, or that of the list that it is an element of.
+    pub(super) key: &'static KeySpec,
+    /// Its place in the list.
+    pub(super) element: Option<usize>,
+}
+
 impl Address {
     pub(super) fn resolve(scene: &Scene, path: &ScenePath) -> Result<Self, Refusal> {
         let mut rest = path.segments.iter();
         let Some(first) = rest.next() else { return Err(refused(Message::PathIs).into()) };
         let root = find(&keys::ROOT, first)?;
         let (part, mut table) = part(scene, root, &mut rest)?;
-        let mut tables: Vec<&'static KeySpec> = Vec::new();
+        let mut tables: Vec<TableStep> = Vec::new();
         while let Some(segment) = rest.next() {
             let key = find(table, segment)?;
             match key.kind {
                 Kind::Table(inner) | Kind::NameOrTable(inner) if !rest.as_slice().is_empty() => {
                     if let Kind::NameOrTable(_) = key.kind {
-                        check_is_own(scene, part)?;
+                        check_is_own(scene, part, &tables)?;
                     }
                     table = inner;
-                    tables.push(key);
+                    tables.push(TableStep { key, element: None });
+                }
+                Kind::List(inner) => {
+                    let segment = rest.next().ok_or_else(|| is_list(key, inner))?;
+                    let parts = parts(scene, part, &tables);
+                    let names = || parts.iter().map(|part| part.name.as_str());
+                    let element = place_in_list(key, segment, parts.len(), names)?;
+                    table = inner;
+                    tables.push(TableStep { key, element: Some(element) });
                 }
                 _ => {
                     let component = rest.next().map(|segment| component(key, segment)).transpose()?;
@@ -74,9 +92,9 @@ impl Address {
             return Err(is_table(quoted(key.name), table));
         }
         let record = record(scene, self.part);
-        let Some(record) = record.as_ref().and_then(|record| self.inner(record)) else {
+        let Some(record) = record.as_ref().and_then(|record| inner_record(record, &self.tables)) else {
             // Only a table that is absent has no record.
-            return Err(absent(self.tables.last().unwrap_or(&key)));
+            return Err(absent(self.tables.last().map_or(key, |step| step.key)));
         };
         let value = match record.get(key.name) {
             Some(Datum::Table(_)) => return Err(refused(Message::MaterialIsOwn).into()),
@@ -92,14 +110,23 @@ impl Address {
             }
         }
     }
+}
 
-    /// The record of the table of the key.
-    fn inner<'a, 'r>(&self, record: &'a Record<'r>) -> Option<&'a Record<'r>> {
-        self.tables.iter().try_fold(record, |record, key| match record.get(key.name) {
-            Some(Datum::Table(inner)) => Some(inner),
-            _ => None,
-        })
-    }
+/// The record of a table within that of a part of the scene.
+fn inner_record<'a, 'r>(record: &'a Record<'r>, tables: &[TableStep]) -> Option<&'a Record<'r>> {
+    tables.iter().try_fold(record, |record, step| match (record.get(step.key.name), step.element) {
+        (Some(Datum::Table(inner)), None) => Some(inner),
+        (Some(Datum::Tables(elements)), Some(element)) => elements.get(element),
+        _ => None,
+    })
+}
+
+/// The parts of a body, or of a part of it.
+fn parts<'a>(scene: &'a Scene, part: ScenePart, tables: &[TableStep]) -> &'a [BodyPart] {
+    let ScenePart::Body(index) = part else { return &[] };
+    let Some(body) = scene.bodies.get(index) else { return &[] };
+    let elements = tables.iter().filter_map(|step| step.element);
+    elements.fold(body.parts.as_slice(), |parts, element| parts.get(element).map_or(&[], |part| &part.parts))
 }
 
 /// The keys and values of a part, if there is one.
@@ -177,10 +204,17 @@ fn place_in_list<'a, I: Iterator<Item = &'a str>>(
     })
 }
 
-/// Refuses keys of the material of a body that shares a named one.
-fn check_is_own(scene: &Scene, part: ScenePart) -> Result<(), Refusal> {
+/// Refuses keys of the material of a body or a part that shares a named one.
+fn check_is_own(scene: &Scene, part: ScenePart, tables: &[TableStep]) -> Result<(), Refusal> {
     let ScenePart::Body(index) = part else { return Ok(()) };
-    match scene.bodies.get(index).map(|body| &body.material) {
+    let material = match tables.split_last() {
+        None => scene.bodies.get(index).map(|body| &body.material),
+        Some((last, around)) => last
+            .element
+            .and_then(|element| parts(scene, part, around).get(element))
+            .and_then(|part| part.material.as_ref()),
+    };
+    match material {
         Some(MaterialChoice::Named(name)) => {
             let finding = refused(Message::MaterialIsShared { name: quoted_value(name) });
             Err(match key_to_copy(name) {

@@ -24,7 +24,7 @@ pub enum SceneValue {
 }
 
 impl SceneValue {
-    /// A value of the document; `None` for a table.
+    /// A value of the document; `None` for tables.
     pub(super) fn of_datum(datum: &Datum<'_>) -> Option<Self> {
         Some(match datum {
             Datum::Number(number) => Self::Number(*number),
@@ -32,7 +32,7 @@ impl SceneValue {
             Datum::Vector(vector) => Self::Vector(*vector),
             Datum::Text(text) => Self::Text(text.as_ref().to_owned()),
             Datum::Flag(flag) => Self::Flag(*flag),
-            Datum::Table(_) => return None,
+            Datum::Table(_) | Datum::Tables(_) => return None,
         })
     }
 

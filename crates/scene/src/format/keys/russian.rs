@@ -1,6 +1,6 @@
 //! The tables and keys of the format in Russian.
 
-use super::{BODY, CAMERA, CHECKER, ENVIRONMENT, LIGHT, MATERIAL, ROOT, SKY, TRACING};
+use super::{BODY, CAMERA, CHECKER, ENVIRONMENT, LIGHT, MATERIAL, PART, ROOT, SKY, TRACING};
 use crate::format::spec::{KeySpec, TableSpec};
 
 /// A table in Russian.
@@ -8,7 +8,7 @@ struct RussianTable {
     table: &'static TableSpec,
     /// What it is called, in the genitive.
     genitive: &'static str,
-    /// What its keys mean, as [`KeySpec::doc`].
+    /// What its keys mean, as [`KeySpec::doc`]; of a part, those that mean something else than for a body.
     docs: &'static [(&'static str, &'static str)],
 }
 
@@ -20,11 +20,14 @@ pub(crate) fn genitive(table: &TableSpec) -> &'static str {
 /// What a key means; in English if it is no key of the format.
 pub(crate) fn doc(key: &KeySpec) -> &'static str {
     let table = TABLES.iter().find(|known| known.table.keys.iter().any(|own| own == key));
-    let docs = table.map_or([].as_slice(), |known| known.docs);
-    docs.iter().find(|(name, _)| *name == key.name).map_or(key.doc, |(_, doc)| *doc)
+    // A part shares keys with bodies.
+    let body =
+        TABLES.iter().filter(|known| *known.table == BODY && table.is_some_and(|own| *own.table == PART));
+    let docs = table.into_iter().chain(body).flat_map(|known| known.docs);
+    docs.into_iter().find(|(name, _)| *name == key.name).map_or(key.doc, |(_, doc)| *doc)
 }
 
-static TABLES: [RussianTable; 9] = [
+static TABLES: [RussianTable; 10] = [
     RussianTable {
         table: &ROOT,
         genitive: "сцены",
@@ -163,6 +166,16 @@ static TABLES: [RussianTable; 9] = [
             ("material", "имя материала или собственный материал"),
             ("hidden", "скрыто ли тело: его не видно, оно не отражается и не отбрасывает тени"),
             ("locked", "закреплено ли тело в студии; на изображения это не влияет"),
+            ("parts", "из чего составлено тело"),
+        ],
+    },
+    RussianTable {
+        table: &PART,
+        genitive: "части тела",
+        docs: &[
+            ("name", "имя, своё у каждой части одного целого"),
+            ("position", "место начала собственных координат части в координатах целого, метры"),
+            ("material", "имя материала или собственный материал; если его нет, он тот же, что у целого"),
         ],
     },
 ];
@@ -179,7 +192,11 @@ mod tests {
             let known = TABLES.iter().find(|known| known.table == spec).unwrap();
             let names =
                 |docs: &[(&'static str, &str)]| docs.iter().map(|(name, _)| *name).collect::<Vec<_>>();
-            let keys: Vec<&str> = spec.keys.iter().map(|key| key.name).collect();
+            // Keys of a part that mean what they mean for a body are told there.
+            let is_own = |key: &&KeySpec| {
+                *spec != PART || BODY.key(key.name).is_none_or(|of_body| of_body.doc != key.doc)
+            };
+            let keys: Vec<&str> = spec.keys.iter().filter(is_own).map(|key| key.name).collect();
             assert_eq!(names(known.docs), keys, "{}", spec.name);
             for key in spec.keys {
                 assert_ne!(doc(key), key.doc, "{} of {}", key.name, spec.name);

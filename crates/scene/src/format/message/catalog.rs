@@ -112,10 +112,10 @@ messages! {
     NoElementYet { name: &'static str }:
         "`{name}` is a list, and has no element yet",
         "`{name}` — список, и в нём ещё нет элементов";
-    BeginElement { name: &'static str }:
+    BeginElement { name: String }:
         "begin an element with `[[{name}]]` before this",
         "начните перед этим элемент: `[[{name}]]`";
-    WriteBeforeElement { name: &'static str }:
+    WriteBeforeElement { name: String }:
         "write `[[{name}]]` before the keys of each element",
         "пишите `[[{name}]]` перед ключами каждого элемента";
     WrongElement { list: &'static str, found: FoundValue }:
@@ -275,6 +275,38 @@ messages! {
     HeightOfParaboloid:
         "the height of a paraboloid is the square of `radius` over four times `focal_length`; change one of them",
         "высота параболоида равна квадрату `radius`, делённому на учетверённый `focal_length`; измените один из ключей";
+
+    // Bodies of parts.
+    NoParts { shape: &'static str }:
+        "a {shape} needs at least one part",
+        "телу формы \"{shape}\" нужна хотя бы одна часть";
+    BeginPart:
+        "begin a part with `[[bodies.parts]]`, within a part with `[[bodies.parts.parts]]`",
+        "начните часть с `[[bodies.parts]]`, внутри части — с `[[bodies.parts.parts]]`";
+    TooManyParts { shape: &'static str, count: String, most: String }:
+        "this {shape} has {count} simple parts, but can have at most {most}",
+        "у тела формы \"{shape}\" простых частей {count}, а может быть не больше {most}";
+    GroupHasMore:
+        "a group that is no part of another shape can have any number of them",
+        "в группе, которая не входит в тело другой формы, их может быть сколько угодно";
+    PartsTooDeep:
+        "parts are nested too deep",
+        "части вложены слишком глубоко";
+    DeepestParts { most: String }:
+        "parts within parts can be nested {most} levels deep",
+        "частей одна в другой может быть не больше {most} уровней";
+    PartsOfSimple { shape: &'static str }:
+        "a {shape} has no parts",
+        "у тела формы \"{shape}\" частей не бывает";
+    PartNameTwice { name: String }:
+        "two parts have the name {name}",
+        "имя {name} носят две части";
+    EmptyBody { shape: &'static str }:
+        "this {shape} is empty: its parts do not meet",
+        "тело формы \"{shape}\" пусто: его части не пересекаются";
+    MoveParts:
+        "move its parts until they overlap, or remove it",
+        "сдвиньте части так, чтобы они пересекались, или уберите его";
 
     // Names.
     MaterialIsTable:

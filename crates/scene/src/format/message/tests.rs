@@ -177,7 +177,10 @@ fn a_whole_finding_is_told_in_russian() {
     let first = found.iter().next().unwrap();
     assert_eq!(first.label(Language::Russian).as_deref(), Some("возможно, `radius`?"));
     let help = first.help(Language::Russian).unwrap();
-    assert!(help.starts_with("ключи тела: `name`, ") && help.ends_with(" `hidden` и `locked`"), "{help}");
+    assert!(
+        help.starts_with("ключи тела: `name`, ") && help.ends_with(" `hidden`, `locked` и `parts`"),
+        "{help}"
+    );
 }
 
 #[test]

@@ -85,16 +85,29 @@ impl<'t> Reader<'t> {
             list.open = Some(Table::new(Schema::Keys(kind.spec()), TableOrigin::ByHeader));
             return AssignmentTarget::Element(kind, path);
         }
-        if is_list {
-            let mut whole = vec![first.clone()];
-            whole.extend(path.iter().cloned());
-            self.found.push(not_a_list(&whole, first.span));
-        }
-        let Some(table) = self.list(kind).open.as_mut() else {
+        let Some(table) = self.list(kind).open.as_ref() else {
+            if is_list {
+                self.found
+                    .push(not_a_list(&[std::slice::from_ref(&first), path.as_slice()].concat(), first.span));
+            }
             let finding = Diagnostic::error(first.span.range(), Message::NoElementYet { name });
-            self.found.push(finding.with_help(Message::BeginElement { name }));
+            self.found.push(finding.with_help(Message::BeginElement { name: name.to_owned() }));
             return AssignmentTarget::Nowhere;
         };
+        match (is_list, table.list_at(&path), path.last()) {
+            (true, None, _) => {
+                self.found
+                    .push(not_a_list(&[std::slice::from_ref(&first), path.as_slice()].concat(), first.span));
+            }
+            (false, Some(list), Some(last)) => {
+                let whole: Vec<&str> = path.iter().map(|key| key.text.as_ref()).collect();
+                let help = Message::Write { text: format!("[[{name}.{}]]", whole.join(".")) };
+                let finding = Diagnostic::error(last.span.range(), Message::IsAList { name: list });
+                self.found.push(finding.with_help(help));
+            }
+            _ => {}
+        }
+        let Some(table) = self.list(kind).open.as_mut() else { return AssignmentTarget::Nowhere };
         match table.open(&path) {
             Ok(()) => AssignmentTarget::Element(kind, path),
             Err(problem) => {
@@ -109,7 +122,7 @@ impl<'t> Reader<'t> {
         let name = kind.key();
         let Assignment { path, value } = assignment;
         let Some(first) = path.first() else { return };
-        let help = Message::WriteBeforeElement { name };
+        let help = Message::WriteBeforeElement { name: name.to_owned() };
         if path.len() > 1 {
             let finding = Diagnostic::error(first.span.range(), Message::IsAList { name });
             return self.found.push(finding.with_help(help));
@@ -147,7 +160,8 @@ impl<'t> Reader<'t> {
             other => {
                 let message = Message::WrongElement { list: kind.key(), found: other.found() };
                 let finding = Diagnostic::error(value.span.range(), message);
-                self.found.push(finding.with_help(Message::WriteBeforeElement { name: kind.key() }));
+                let name = kind.key().to_owned();
+                self.found.push(finding.with_help(Message::WriteBeforeElement { name }));
             }
         }
     }
@@ -164,12 +178,16 @@ impl<'t> Reader<'t> {
             }
             ListKind::Bodies => {
                 let built = build.body(&table);
+                let index = self.scene.bodies.len() as u32;
                 if !built.is_known {
-                    self.places.unknown.push(self.scene.bodies.len() as u32);
+                    self.places.unknown.push(index);
                 }
                 if let Some(span) = built.material_span {
-                    self.places.materials.push((self.scene.bodies.len() as u32, span));
+                    self.places.materials.push((index, span));
                 }
+                let of_parts = built.parts.materials.into_iter();
+                self.places.of_parts.extend(of_parts.map(|(name, span)| (index, name, span)));
+                self.places.empty.extend(built.parts.empty);
                 self.places.bodies.push(built.name_span.unwrap_or_default());
                 self.scene.bodies.push(built.body);
             }

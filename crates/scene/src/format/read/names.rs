@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
+use crate::compound::each_part_mut;
 use crate::format::diagnostic::{Diagnostic, Diagnostics, Severity};
 use crate::format::message::{Collection, Conjunction, Enumeration, Message};
 use crate::format::nearest::nearest;
@@ -23,7 +24,11 @@ pub(super) struct SourcePositions {
     pub(super) bodies: Vec<Span>,
     /// Bodies with a named material, and where it is named.
     pub(super) materials: Vec<(u32, Span)>,
-    /// Bodies of an unknown shape, in order. They stand in the scene until their names are checked.
+    /// Bodies with a part of a named material, its name, and where it is named.
+    pub(super) of_parts: Vec<(u32, String, Span)>,
+    /// Shapes that hold nothing, and where they are said.
+    pub(super) empty: Vec<(&'static str, Span)>,
+    /// Bodies of an unknown shape or of unknown parts, in order. They stand in the scene until their names are checked.
     pub(super) unknown: Vec<u32>,
 }
 
@@ -50,6 +55,20 @@ pub(super) fn check_materials(
             found.push_with(|| undefined_material(name, span, names));
         }
         body.material = MaterialChoice::default();
+    }
+    for (index, name, span) in &places.of_parts {
+        if let Some(is_used) = defined.get(name.as_str()).and_then(|&index| is_used.get_mut(index)) {
+            *is_used = true;
+            continue;
+        }
+        if !has_lost_tables {
+            let names = || scene.materials.iter().map(|named| named.name.as_str());
+            found.push_with(|| undefined_material(name, *span, names));
+        }
+        let parts = scene.bodies.get_mut(*index as usize).map(|body| body.parts.as_mut_slice());
+        each_part_mut(parts.unwrap_or_default(), &mut |part| {
+            part.material.take_if(|material| material.name() == Some(name));
+        });
     }
     is_used
 }
@@ -100,7 +119,7 @@ pub(super) fn check_unique(scene: &mut Scene, places: &SourcePositions, found: &
     }
 }
 
-/// Takes the bodies of an unknown shape out of the scene. The places of the other bodies are off after that.
+/// Takes the bodies of an unknown shape or of unknown parts out of the scene. The places of the other bodies are off after that.
 pub(super) fn remove_unknown(scene: &mut Scene, places: &SourcePositions) {
     let mut unknown = places.unknown.iter().copied().peekable();
     let mut index = 0;
@@ -140,7 +159,13 @@ fn second_uses<'a>(
 }
 
 /// Warnings about a scene without errors.
-pub(super) fn warn(scene: &Scene, defined_at: &[Range<usize>], is_used: &[bool], found: &mut Diagnostics) {
+pub(super) fn warn(
+    scene: &Scene,
+    places: &SourcePositions,
+    defined_at: &[Range<usize>],
+    is_used: &[bool],
+    found: &mut Diagnostics,
+) {
     let is_lit = |light: &Light| !light.hidden;
     let environment = &scene.environment;
     let has_light = scene.lights.iter().any(is_lit)
@@ -149,6 +174,10 @@ pub(super) fn warn(scene: &Scene, defined_at: &[Range<usize>], is_used: &[bool],
     if !has_light && !scene.bodies.is_empty() {
         let warning = Diagnostic::new(Severity::Warning, 0..0, Message::NoLight);
         found.push(warning.with_help(Message::AddLight));
+    }
+    for (shape, span) in &places.empty {
+        let warning = Diagnostic::new(Severity::Warning, span.range(), Message::EmptyBody { shape });
+        found.push(warning.with_help(Message::MoveParts));
     }
     for ((named, span), is_used) in scene.materials.iter().zip(defined_at).zip(is_used) {
         if !is_used {

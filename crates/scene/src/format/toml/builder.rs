@@ -9,9 +9,10 @@ use toml_parser::{ErrorSink, ParseError, Raw, Source, Span as RawSpan};
 
 use super::{Assignment, Header, Key, Span, Statement, Value, ValueKind, problem};
 use crate::format::diagnostic::Diagnostic;
+use crate::shape::Shape;
 
-/// Deepest nesting of brackets; a scene needs five.
-const DEEPEST: u32 = 16;
+/// Deepest nesting of brackets: a list of bodies needs five, and parts within parts two each.
+const DEEPEST: u32 = 5 + 2 * Shape::MAX_DEPTH as u32;
 /// The most errors of one logical line that are kept.
 const MOST_ERRORS: usize = 16;
 
