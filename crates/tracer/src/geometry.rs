@@ -5,6 +5,7 @@ pub(crate) mod bounds;
 pub(crate) mod bvh;
 pub(crate) mod canonical;
 pub(crate) mod hull;
+pub(crate) mod joined;
 pub(crate) mod membership;
 pub(crate) mod plane_frame;
 pub(crate) mod prefetch;
@@ -25,6 +26,7 @@ use crate::geometry::body::{RenderBody, SurfacePoint};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::bvh::Bvh;
 use crate::geometry::bvh::entry::BuildEntry;
+use crate::geometry::joined::{JoinedBodies, JoinedBody};
 use crate::geometry::shape::ShapeSpan;
 use crate::geometry::space::RenderSpace;
 use crate::geometry::sphere::BoundingSphere;
@@ -34,15 +36,18 @@ use crate::simd::vector::Vector;
 
 /// The bodies of a scene.
 ///
-/// They stand in the order of the hierarchy's leaves, the unbounded ones last. What a search reads is plain
-/// single-precision data.
+/// They stand in the order of the hierarchy's leaves, then those without end, then the parts of joined bodies, which no
+/// search looks for by themselves. What a search reads is plain single-precision data.
 #[derive(Clone, Debug)]
 pub(crate) struct Geometry {
     pub(crate) bodies: Vec<RenderBody>,
-    /// The place in the scene file of each body.
-    pub(crate) scene_indices: Vec<u32>,
-    /// How many of the bodies are bounded; planes follow them.
+    /// A number for each body: its place in the scene, or beyond those the place in `members`.
+    pub(crate) numbers: Vec<u32>,
+    /// The members of groups and the parts of joined bodies.
+    pub(crate) members: Arc<Members>,
+    /// How many of the bodies are bounded; those without end follow them.
     pub(crate) bounded: u32,
+    pub(crate) joined: JoinedBodies,
     pub(crate) hierarchy: Accelerator,
     /// Around each bounded body.
     pub(crate) spheres: Vec<BoundingSphere>,
@@ -55,6 +60,15 @@ pub(crate) struct Geometry {
     pub(crate) largest_error_bound: f32,
     /// Whether light passes through any body, or did before an edit.
     pub(crate) has_transparency: bool,
+}
+
+/// Bodies that a scene has only as parts of others: members of groups, and parts of joined bodies.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Members {
+    /// The number of the first one: how many bodies the scene has.
+    pub(crate) first: u32,
+    /// The place in the scene of the body that each belongs to.
+    pub(crate) scene_indices: Vec<u32>,
 }
 
 /// How the bodies that a ray may meet are found among the bounded ones.
@@ -96,6 +110,16 @@ impl Accelerator {
     }
 }
 
+impl Members {
+    /// The place in the scene of the body with a number, or of what it belongs to.
+    pub(crate) fn scene_index(&self, number: u32) -> Option<usize> {
+        match number.checked_sub(self.first) {
+            None => Some(number as usize),
+            Some(member) => self.scene_indices.get(member as usize).map(|&index| index as usize),
+        }
+    }
+}
+
 impl Geometry {
     /// Up to this many bounded bodies, all bounding spheres are tested; from then on a hierarchy of boxes is quicker.
     pub(crate) const FEW: usize = 48;
@@ -108,14 +132,26 @@ impl Geometry {
         self.bounded >= Self::VERY_MANY
     }
 
-    /// The place in the scene of body `index`.
+    /// The place in the scene of body `index`, or of what it is a part of.
     pub(crate) fn scene_index(&self, index: u32) -> Option<usize> {
-        self.scene_indices.get(index as usize).map(|&scene_index| scene_index as usize)
+        self.members.scene_index(*self.numbers.get(index as usize)?)
     }
 
     /// Which of two bodies comes first in the scene.
     pub(crate) fn scene_order(&self, a: u32, b: u32) -> std::cmp::Ordering {
-        self.scene_indices.get(a as usize).cmp(&self.scene_indices.get(b as usize))
+        let order = |index: u32| (self.scene_index(index), self.numbers.get(index as usize));
+        order(a).cmp(&order(b))
+    }
+
+    /// The joined body at this place, if it is one.
+    pub(crate) fn joined(&self, index: u32) -> Option<&JoinedBody> {
+        let body = self.body(index);
+        if body.is_joined() { self.joined.bodies.get(body.joined_number()) } else { None }
+    }
+
+    /// The bodies that searches look for: without the parts of joined ones.
+    pub(crate) fn whole(&self) -> Range<u32> {
+        0..self.joined.first_part
     }
 
     /// A point of render space in the world, meters.
@@ -127,16 +163,16 @@ impl Geometry {
     pub(crate) fn bytes(&self) -> usize {
         size_of_val(&*self.bodies)
             + size_of_val(&*self.spheres)
-            + size_of_val(&*self.scene_indices)
+            + size_of_val(&*self.numbers)
             + match &self.hierarchy {
                 Accelerator::Few => 0,
                 Accelerator::Many(bvh) => bvh.bytes(),
             }
     }
 
-    /// The unbounded bodies.
+    /// The bodies without end: planes, and joined bodies that no box holds.
     pub(crate) fn planes(&self) -> Range<u32> {
-        self.bounded..self.bodies.len() as u32
+        self.bounded..self.joined.first_part
     }
 
     pub(crate) fn body(&self, index: u32) -> &RenderBody {
@@ -150,7 +186,7 @@ impl Geometry {
 
     /// The body at this place in double precision, if it is.
     fn double(&self, index: u32) -> Option<&Body64> {
-        self.doubles.get(*self.scene_indices.get(index as usize)?)
+        self.doubles.get(*self.numbers.get(index as usize)?)
     }
 
     /// Where lines of the space of the rays, of directions of length 1, cross a body.
@@ -228,6 +264,19 @@ impl Geometry {
 
     /// Whether a point of the space of the rays lies in a body.
     pub(crate) fn contains(&self, index: u32, point: Vector<f32>) -> bool {
+        match self.joined(index) {
+            Some(joined) => joined.tree.holds(self.parts_around(joined, point)),
+            None => self.contains_simple(index, point),
+        }
+    }
+
+    /// The parts of a joined body, a bit for each, that a point lies in.
+    pub(crate) fn parts_around(&self, joined: &JoinedBody, point: Vector<f32>) -> u64 {
+        let is_in = |part: u32| u64::from(self.contains_simple(part, point));
+        joined.parts().zip(0..).fold(0, |bits, (part, bit)| bits | is_in(part) << bit)
+    }
+
+    fn contains_simple(&self, index: u32, point: Vector<f32>) -> bool {
         match self.double(index) {
             Some(double) => double.contains(point),
             None => self.body(index).contains(point),

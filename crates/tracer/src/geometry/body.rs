@@ -35,7 +35,7 @@ pub(crate) struct RenderBody {
     pub origin: [f32; 3],
     /// How far the surface may lie from its true place by rounding, meters.
     pub error_bound: f32,
-    /// Cone: ratio of the smaller to the larger radius. Sphere: radius, meters.
+    /// Cone: ratio of the smaller to the larger radius. Sphere: radius, meters. Joined body: its place among those, as bits.
     pub parameter: f32,
     /// Index into the scene's materials.
     pub material: u32,
@@ -52,7 +52,7 @@ pub(crate) struct RenderBody {
 }
 
 /// A body made ready for a scene: opaque, without a checker, of the first material.
-pub(crate) struct BodyParts {
+pub(crate) struct PreparedBody {
     pub(crate) body: RenderBody,
     /// `None` for a plane.
     pub(crate) bounds: Option<Bounds>,
@@ -61,14 +61,50 @@ pub(crate) struct BodyParts {
 }
 
 impl RenderBody {
-    /// The body in the space of a scene's rays.
-    pub(crate) fn prepare(body: &Body, space: &RenderSpace) -> BodyParts {
-        let canonical = CanonicalBody::of(body);
+    /// One that no ray meets.
+    pub(crate) const NONE: Self = Self {
+        body_from_world: [[0.0; 3]; 3],
+        world_from_body: [[0.0; 3]; 3],
+        origin: [0.0; 3],
+        error_bound: 0.0,
+        parameter: 0.0,
+        material: 0,
+        checker: NO_BODY,
+        kind: ShapeKind::Sphere as u8,
+        aligned: 1,
+        transparent: 0,
+        double: 0,
+    };
+
+    /// A joined body, the place of which among those is `number`, within the cube that a frame carries to the space of the
+    /// rays; without one, of a body that has no end. `error_bound` is the largest of its parts.
+    pub(crate) fn joined(number: u32, box_frame: Option<DAffine3>, error_bound: f32) -> Self {
+        let kind = if box_frame.is_some() { ShapeKind::Joined } else { ShapeKind::JoinedEndless };
+        let frame = box_frame.unwrap_or(DAffine3::ZERO);
+        let world_from_body = rows(&frame.matrix3);
+        Self {
+            world_from_body,
+            origin: frame.translation.as_vec3().to_array(),
+            error_bound,
+            parameter: f32::from_bits(number),
+            kind: kind as u8,
+            aligned: u8::from(is_diagonal(&world_from_body)),
+            ..Self::NONE
+        }
+    }
+
+    /// A body that is not compound in the space of a scene's rays.
+    pub(crate) fn prepare(body: &Body, space: &RenderSpace) -> PreparedBody {
+        Self::prepare_shape(&CanonicalBody::of(body), space)
+    }
+
+    /// A shape in the space of a scene's rays.
+    pub(crate) fn prepare_shape(canonical: &CanonicalBody, space: &RenderSpace) -> PreparedBody {
         let CanonicalShape { kind, cone_ratio } = canonical.shape;
         let mut world_from_body = canonical.world_from_canonical;
-        let mut is_double = space.needs_double(&canonical);
+        let mut is_double = space.needs_double(canonical);
         if kind == ShapeKind::Plane {
-            match space.frame_near(&canonical) {
+            match space.frame_near(canonical) {
                 Some((near, _)) => world_from_body = near,
                 None => is_double = true,
             }
@@ -106,7 +142,7 @@ impl RenderBody {
             double: u8::from(is_double),
         };
         let bounds = Bounds::of_canonical(&world_from_body, kind, f64::from(cone_ratio as f32));
-        BodyParts { body: prepared, bounds, double }
+        PreparedBody { body: prepared, bounds, double }
     }
 
     /// The bounds of the body as it is kept; `None` for a plane.
@@ -157,6 +193,8 @@ impl RenderBody {
             3 => ShapeKind::Cone,
             4 => ShapeKind::Plane,
             6 => ShapeKind::Paraboloid,
+            7 => ShapeKind::Joined,
+            8 => ShapeKind::JoinedEndless,
             _ => ShapeKind::Ellipsoid,
         };
         CanonicalShape { kind, cone_ratio: self.parameter }
@@ -171,10 +209,31 @@ impl RenderBody {
         x_axis.length().max(y_axis.length()).max(z_axis.length())
     }
 
+    /// Whether the body is joined of others: where rays meet it is asked of its parts.
+    #[inline(always)]
+    pub(crate) fn is_joined(&self) -> bool {
+        self.kind >= ShapeKind::Joined as u8
+    }
+
+    /// Gives a joined body its place among those.
+    pub(crate) fn set_joined_number(&mut self, number: u32) {
+        self.parameter = f32::from_bits(number);
+    }
+
+    /// The place of a joined body among those.
+    pub(crate) fn joined_number(&self) -> usize {
+        self.parameter.to_bits() as usize
+    }
+
     /// Whether the body is intersected in double precision.
     #[inline(always)]
     pub(crate) fn is_double(&self) -> bool {
         self.double != 0
+    }
+
+    /// Whether the checkerboard of the body looks at points of the space of the rays, not of the body's frame.
+    pub(crate) fn sees_checker_in_world(&self) -> bool {
+        self.is_double() && self.checker != NO_BODY
     }
 
     /// Whether light passes through the body.

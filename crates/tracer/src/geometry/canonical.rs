@@ -3,6 +3,8 @@
 use catoptric_scene::{Body, Shape};
 use glam::{DAffine3, DVec3};
 
+use crate::geometry::bounds::Bounds;
+use crate::geometry::shape::solid::is_oblique;
 use crate::geometry::shape::{CanonicalShape, ShapeKind};
 
 /// A body as a canonical shape, and the transform that carries it to the world, sizes included.
@@ -13,8 +15,14 @@ pub(crate) struct CanonicalBody {
 }
 
 impl CanonicalBody {
+    /// Of a body that is not compound.
     pub(crate) fn of(body: &Body) -> Self {
-        let (kind, cone_ratio, sizes) = match body.sized_shape() {
+        Self::placed(body.sized_shape(), body.placement.world_from_body())
+    }
+
+    /// Of a simple shape that `frame` carries to the world.
+    pub(crate) fn placed(shape: Shape, frame: DAffine3) -> Self {
+        let (kind, cone_ratio, sizes) = match shape {
             Shape::Sphere { radius } => (ShapeKind::Sphere, 0.0, DVec3::splat(radius)),
             Shape::Cube { size } => (ShapeKind::Cube, 0.0, 0.5 * size),
             Shape::Cylinder { radius, height } => {
@@ -28,9 +36,11 @@ impl CanonicalBody {
                 let height = depth.height(radius);
                 (ShapeKind::Paraboloid, 0.0, DVec3::new(radius, height, radius))
             }
-            Shape::Plane => (ShapeKind::Plane, 0.0, DVec3::ONE),
+            Shape::Plane | Shape::Union | Shape::Intersection | Shape::Difference | Shape::Group => {
+                (ShapeKind::Plane, 0.0, DVec3::ONE)
+            }
         };
-        let body_from_canonical = match body.shape {
+        let body_from_canonical = match shape {
             // A frustum that widens is a narrowing one upside down: the canonical base is the larger one.
             Shape::Cone { radius, top_radius, .. } if top_radius > radius => {
                 DAffine3::from_translation(DVec3::Y * sizes.y)
@@ -38,9 +48,9 @@ impl CanonicalBody {
             }
             _ => DAffine3::from_scale(sizes),
         };
-        let world_from_canonical = body.placement.world_from_body() * body_from_canonical;
+        let world_from_canonical = frame * body_from_canonical;
         let kind = match kind {
-            ShapeKind::Sphere if !is_even(axes_of(&world_from_canonical)) => ShapeKind::Ellipsoid,
+            ShapeKind::Sphere if !is_even(&world_from_canonical) => ShapeKind::Ellipsoid,
             kind => kind,
         };
         Self { shape: CanonicalShape { kind, cone_ratio }, world_from_canonical }
@@ -50,9 +60,15 @@ impl CanonicalBody {
         self.shape.kind == ShapeKind::Plane
     }
 
-    /// The lengths of the frame's axes in the world; they are perpendicular.
+    /// The lengths of the frame's axes in the world; they are perpendicular, but for parts that are turned within what is
+    /// stretched.
     pub(crate) fn axes(&self) -> DVec3 {
         axes_of(&self.world_from_canonical)
+    }
+
+    /// The box around it; `None` for a plane.
+    pub(crate) fn bounds(&self) -> Option<Bounds> {
+        Bounds::of_canonical(&self.world_from_canonical, self.shape.kind, self.shape.cone_ratio)
     }
 
     /// About how far a point is from the surface, meters: exactly for spheres, boxes and planes, and within a factor of a
@@ -75,10 +91,12 @@ fn axes_of(transform: &DAffine3) -> DVec3 {
     DVec3::new(axes.x_axis.length(), axes.y_axis.length(), axes.z_axis.length())
 }
 
-/// Whether a rotated scaling is the same in all directions, but for the rounding of double precision.
-fn is_even(axes: DVec3) -> bool {
+/// Whether a transform scales alike in all directions, but for the rounding of double precision.
+fn is_even(transform: &DAffine3) -> bool {
     const ROUNDING: f64 = 1e-12;
+    let axes = axes_of(transform);
     (axes.y - axes.x).abs().max((axes.z - axes.x).abs()) <= ROUNDING * axes.x
+        && !is_oblique(&transform.matrix3)
 }
 
 #[cfg(test)]

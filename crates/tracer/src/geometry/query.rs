@@ -3,6 +3,7 @@
 pub(crate) mod candidates;
 pub(crate) mod closest;
 pub(crate) mod coincident;
+pub(crate) mod joined;
 pub(crate) mod stream;
 
 use std::ops::Range;
@@ -75,6 +76,17 @@ pub(crate) struct BodyIntersection<W: Width> {
     /// Where all of them leave it.
     pub(crate) exit: W::R,
     pub(crate) exit_face: W::R,
+}
+
+/// Where rays first cross the surface of a joined body.
+pub(crate) struct JoinedHits<W: Width> {
+    pub(crate) t: W::R,
+    /// The part that makes the surface there, and its face.
+    pub(crate) part: W::W,
+    pub(crate) face: W::R,
+    /// Those that enter the whole, and those that leave it.
+    pub(crate) entering: W::M,
+    pub(crate) leaving: W::M,
 }
 
 /// Rays in flight.

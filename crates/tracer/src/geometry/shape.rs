@@ -35,6 +35,10 @@ pub enum ShapeKind {
     Ellipsoid = 5,
     /// x² + z² ≤ y ≤ 1.
     Paraboloid = 6,
+    /// What is joined of others within the cube [-1, 1]³; rays are asked of its parts.
+    Joined = 7,
+    /// What is joined of others and has no end.
+    JoinedEndless = 8,
 }
 
 impl ShapeKind {
@@ -42,11 +46,11 @@ impl ShapeKind {
     pub(crate) fn solid(self) -> &'static dyn Solid {
         match self {
             Self::Sphere | Self::Ellipsoid => &sphere::UnitBall,
-            Self::Cube => &cube::UnitCube,
+            Self::Cube | Self::Joined => &cube::UnitCube,
             Self::Cylinder => &cylinder::UnitCylinder,
             Self::Cone => &cone::Frustum,
             Self::Paraboloid => &paraboloid::ParaboloidCap,
-            Self::Plane => &plane::HalfSpace,
+            Self::Plane | Self::JoinedEndless => &plane::HalfSpace,
         }
     }
 }
@@ -138,11 +142,11 @@ impl<R: Float> CanonicalShape<R> {
     pub fn span(&self, origin: Vector<R>, direction: Vector<R>) -> ShapeSpan<R> {
         match self.kind {
             ShapeKind::Sphere | ShapeKind::Ellipsoid => sphere::span(origin, direction),
-            ShapeKind::Cube => cube::span(origin, direction),
+            ShapeKind::Cube | ShapeKind::Joined => cube::span(origin, direction),
             ShapeKind::Cylinder => cylinder::span(origin, direction),
             ShapeKind::Cone => cone::span(self.cone_ratio, origin, direction),
             ShapeKind::Paraboloid => paraboloid::span(origin, direction),
-            ShapeKind::Plane => plane::span(origin.y, direction.y),
+            ShapeKind::Plane | ShapeKind::JoinedEndless => plane::span(origin.y, direction.y),
         }
     }
 
@@ -151,11 +155,11 @@ impl<R: Float> CanonicalShape<R> {
     pub fn pull_to_surface(&self, face: R, point: Vector<R>) -> Vector<R> {
         match self.kind {
             ShapeKind::Sphere | ShapeKind::Ellipsoid => sphere::pull_to_surface(point),
-            ShapeKind::Cube => cube::pull_to_surface(face, point),
+            ShapeKind::Cube | ShapeKind::Joined => cube::pull_to_surface(face, point),
             ShapeKind::Cylinder => cone::pull_to_surface(face.like(1.0), face, point),
             ShapeKind::Cone => cone::pull_to_surface(self.cone_ratio, face, point),
             ShapeKind::Paraboloid => paraboloid::pull_to_surface(face, point),
-            ShapeKind::Plane => plane::pull_to_surface(point),
+            ShapeKind::Plane | ShapeKind::JoinedEndless => plane::pull_to_surface(point),
         }
     }
 
@@ -164,11 +168,11 @@ impl<R: Float> CanonicalShape<R> {
     pub fn normal(&self, face: R, point: Vector<R>) -> Vector<R> {
         match self.kind {
             ShapeKind::Sphere | ShapeKind::Ellipsoid => point,
-            ShapeKind::Cube => cube::normal(face),
+            ShapeKind::Cube | ShapeKind::Joined => cube::normal(face),
             ShapeKind::Cylinder => cone::normal(face.like(1.0), face, point),
             ShapeKind::Cone => cone::normal(self.cone_ratio, face, point),
             ShapeKind::Paraboloid => paraboloid::normal(face, point),
-            ShapeKind::Plane => Vector::splat(face, [0.0, 1.0, 0.0]),
+            ShapeKind::Plane | ShapeKind::JoinedEndless => Vector::splat(face, [0.0, 1.0, 0.0]),
         }
     }
 
@@ -178,11 +182,11 @@ impl<R: Float> CanonicalShape<R> {
         let (zero, one) = (point.y.like(0.0), point.y.like(1.0));
         match self.kind {
             ShapeKind::Sphere | ShapeKind::Ellipsoid => point.length_squared().le(one),
-            ShapeKind::Cube => point.map(R::abs).largest().le(one),
+            ShapeKind::Cube | ShapeKind::Joined => point.map(R::abs).largest().le(one),
             ShapeKind::Cylinder => cone::contains(one, point),
             ShapeKind::Cone => cone::contains(self.cone_ratio, point),
             ShapeKind::Paraboloid => paraboloid::contains(point),
-            ShapeKind::Plane => point.y.le(zero),
+            ShapeKind::Plane | ShapeKind::JoinedEndless => point.y.le(zero),
         }
     }
 }

@@ -99,6 +99,13 @@ impl RenderSpace {
         let space = Self { view, ..*self };
         let bodies = scene.bodies.iter().enumerate();
         let mut fits = bodies.map(|(index, body)| {
+            if body.shape.is_compound() {
+                let mut are_single = true;
+                body.form().each_simple(DAffine3::IDENTITY, &mut |part| {
+                    are_single &= !space.needs_double(&CanonicalBody::placed(part.shape, part.frame));
+                });
+                return body.hidden || are_single;
+            }
             let canonical = CanonicalBody::of(body);
             body.hidden || canonical.is_plane() || is_double(index) == space.needs_double(&canonical)
         });
@@ -174,6 +181,14 @@ impl PictureScale {
 
     /// How far a body's surface is from the focus at least, meters: a rough bound for bodies that are far away.
     fn distance_to(&self, body: &Body) -> f64 {
+        if body.shape.is_compound() {
+            // The surface of the whole is made by those of its parts.
+            let mut nearest = f64::INFINITY;
+            body.form().each_simple(DAffine3::IDENTITY, &mut |part| {
+                nearest = nearest.min(CanonicalBody::placed(part.shape, part.frame).distance(self.focus));
+            });
+            return nearest;
+        }
         let scale = body.placement.scale.abs().max_element();
         let ball = body.sized_shape().ball(DVec3::ONE);
         let reach = ball.map_or(f64::INFINITY, |(center, radius)| center.length() + radius);

@@ -8,6 +8,7 @@ use glam::DAffine3;
 
 use crate::geometry::ray::POINT_ROUNDING;
 use crate::geometry::shape::ShapeKind;
+use crate::geometry::shape::solid::is_oblique;
 use crate::simd::Float32;
 use crate::simd::vector::Vector;
 
@@ -21,9 +22,15 @@ pub(crate) struct BoundingSphere {
 
 impl BoundingSphere {
     /// The smallest sphere around the canonical shape that `transform` carries to the world, widened by the rounding of
-    /// single precision; that of a plane is infinite. The axes of the frame are perpendicular in the world.
+    /// single precision; that of a plane is infinite. A larger one where the frame is oblique.
     pub(crate) fn of_canonical(transform: &DAffine3, kind: ShapeKind, ratio: f64) -> Self {
-        let (offset, radius) = kind.solid().bounding_sphere(&transform.matrix3, ratio);
+        let linear = DAffine3::from_mat3(transform.matrix3);
+        let (offset, radius) = match kind.solid().bounds(&linear, ratio) {
+            Some([min, max]) if is_oblique(&transform.matrix3) => {
+                (0.5 * (min + max), 0.5 * min.distance(max))
+            }
+            _ => kind.solid().bounding_sphere(&transform.matrix3, ratio),
+        };
         let center = transform.translation + offset;
         let radius = radius + f64::from(POINT_ROUNDING) * (center.abs().max_element() + radius);
         Self { center: center.as_vec3().to_array(), radius: radius as f32 }

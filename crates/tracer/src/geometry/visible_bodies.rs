@@ -48,7 +48,8 @@ impl Geometry {
         }
         let point = DVec3::from(point.map(f64::from));
         let sight = |(body, index): (&RenderBody, u32)| Some(BoundingCone::new(&body.hull()?, index, point));
-        let mut bodies: Vec<BoundingCone> = self.bodies.iter().zip(0..).filter_map(sight).collect();
+        let whole = self.bodies.iter().zip(self.whole());
+        let mut bodies: Vec<BoundingCone> = whole.filter_map(sight).collect();
         bodies.sort_by(|a, b| b.minus_depth.total_cmp(&a.minus_depth));
         Some(VisibleBodies { point, bodies, planes: self.planes().collect() })
     }
@@ -57,9 +58,11 @@ impl Geometry {
     /// other bodies are above it.
     pub(crate) fn candidates_to_light(&self, point: [f32; 3]) -> Option<VisibleBodies> {
         let mut sights = self.visible_from(point)?;
-        if let [plane] = sights.planes[..] {
+        if let [plane] = sights.planes[..]
+            && !self.body(plane).is_joined()
+        {
             let level = PlaneFrame::of(self.body(plane));
-            let mut hulls = self.bodies.iter().filter_map(RenderBody::hull);
+            let mut hulls = self.bodies.iter().take(self.bounded as usize).filter_map(RenderBody::hull);
             if level.is_below(sights.point) && hulls.all(|hull| level.is_below_hull(&hull)) {
                 sights.planes.clear();
             }
@@ -89,6 +92,9 @@ impl VisibleBodies {
         self.planes.clear();
         let axis = Vec3::from(axis).as_dvec3();
         let is_met = |&&plane: &&u32| {
+            if geometry.body(plane).is_joined() {
+                return true;
+            }
             let level = PlaneFrame::of(geometry.body(plane));
             let rise = level.up.dot(axis);
             let least_rise = rise * f64::from(cos) - (1.0 - rise * rise).max(0.0).sqrt() * f64::from(sin);

@@ -112,11 +112,13 @@ fn take_maps(
     if bodies.len() == before {
         return Ok(RayCounts::default());
     }
-    let (made, counts) = cache.prepare(scene, &bodies, settings.size, control)?;
+    // Parts share the map of the whole.
+    let wholes = bodies.iter().map(|&index| scene.geometry.joined.whole_of(index, false).body).collect();
+    let (made, counts) = cache.prepare(scene, &wholes, settings.size, control)?;
     // Maps that an earlier sample has had made are not there from before.
     *used = CubeMapUse { built: used.built + made.built, kept: made.kept.saturating_sub(used.built), ..made };
     for index in bodies {
-        let Some(map) = scene.scene_index(index).and_then(|place| cache.get(place)) else { continue };
+        let Some(map) = scene.number(index).and_then(|number| cache.get(number)) else { continue };
         let proxy = || settings.parallax.then(|| ParallaxBox::around(scene, index, map.center()));
         maps.maps.entry(index).or_insert_with(|| (Arc::clone(map), proxy()));
     }

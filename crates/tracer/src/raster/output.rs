@@ -1,5 +1,6 @@
 //! What a method makes.
 
+use std::collections::BTreeMap;
 use std::time::Duration;
 
 use catoptric_picture::{Picture, SizeError};
@@ -50,7 +51,8 @@ impl MethodOutput {
     pub fn maps(&self, scene: &RenderScene) -> Vec<(usize, &CubeMap)> {
         match &self.evidence {
             FirstSampleBuffers::Buffers(_, maps) => {
-                maps.iter().filter_map(|(body, map)| Some((scene.scene_index(body)?, map))).collect()
+                let maps = maps.iter().filter_map(|(body, map)| Some((scene.scene_index(body)?, map)));
+                maps.collect::<BTreeMap<_, _>>().into_iter().collect()
             }
             FirstSampleBuffers::None | FirstSampleBuffers::Bodies(_) => Vec::new(),
         }

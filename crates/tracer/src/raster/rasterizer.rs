@@ -15,7 +15,7 @@ use glam::{DVec2, DVec3};
 
 use crate::raster::projection::HomogeneousPoint;
 use crate::raster::sample_sums::FrameSize;
-use crate::simd::double::Float64;
+use crate::simd::double::{Float64, Mask64};
 use crate::simd::vector::Vector;
 use crate::simd::{Float as _, MOST_LANES, Mask as _, Width};
 
@@ -71,6 +71,8 @@ pub(crate) struct ScreenTriangle {
     depths: [f64; 3],
     /// [`RayOrigin::word`](crate::RayOrigin) of the body and side.
     pub(crate) start: u32,
+    /// Of a part of a joined body: the normal out of the part, of length 1. It is seen only where it bounds the whole.
+    pub(crate) outward: Option<DVec3>,
     /// Whether light or place and normal are the same at all corners: then they are not interpolated, and not rounded.
     is_even: bool,
     rows: Range<usize>,
@@ -101,6 +103,7 @@ impl ScreenTriangle {
             corners,
             depths: seen.map(|corner| corner.depth),
             start,
+            outward: None,
             is_even: others.iter().all(|other| *other == first),
             rows,
             columns,
@@ -112,8 +115,13 @@ impl ScreenTriangle {
         self.rows.clone()
     }
 
+    /// The numbers of its corners.
+    pub(crate) fn corners(&self) -> [u32; 3] {
+        self.corners
+    }
+
     /// Draws what lies in row `y` of the picture, whose depths and triangles these are, as triangle `number`; samples lie
-    /// at `offset` in their pixels.
+    /// at `offset` in their pixels. Of the pixels of a run in which it is nearest, those are drawn that `keep` keeps.
     #[inline(always)]
     pub(crate) fn draw(
         &self,
@@ -121,6 +129,7 @@ impl ScreenTriangle {
         (y, offset): (usize, DVec2),
         depths: &mut [f64],
         triangles: &mut [u32],
+        keep: impl Fn(&CoveredRun, Mask64<RUN>) -> Mask64<RUN>,
     ) {
         let at_y = y as f64 + offset.y;
         let rest = self.edges.map(|edge| edge.y * at_y + edge.z);
@@ -148,6 +157,7 @@ impl ScreenTriangle {
             let part = |i: usize| shares[i] * Float64([self.depths[i]; RUN]);
             let depth = (part(0) + part(1) + part(2)) / sum;
             let nearer = inside & depth.gt(zero) & depth.lt(Float64(*depths));
+            let nearer = keep(&CoveredRun { shares, sum }, nearer);
             *depths = Float64::select(nearer, depth, Float64(*depths)).0;
             nearer.select_words(number, triangles);
         }
@@ -221,6 +231,21 @@ impl ScreenTriangle {
     }
 }
 
+/// Pixels of a row, and where they lie on a triangle.
+pub(crate) struct CoveredRun {
+    shares: [Float64<RUN>; 3],
+    sum: Float64<RUN>,
+}
+
+impl CoveredRun {
+    /// The shares of the corners in a pixel; their sum is 1.
+    pub(crate) fn shares(&self, lane: usize) -> [f64; 3] {
+        let at = |numbers: &Float64<RUN>| numbers.0.get(lane).copied().unwrap_or_default();
+        let sum = at(&self.sum);
+        [0, 1, 2].map(|corner| at(&self.shares[corner]) / sum)
+    }
+}
+
 /// The edge function of the line through two points: their cross product, taken in one order whoever asks. So it is the
 /// same but for the sign in the two triangles at the edge, and no pixel between them is missed.
 fn edge(a: DVec3, b: DVec3) -> DVec3 {
@@ -279,7 +304,7 @@ mod tests {
             for y in triangle.rows() {
                 let row = y * FRAME.width..(y + 1) * FRAME.width;
                 let (depths, numbers) = (&mut visible.depths[row.clone()], &mut visible.triangles[row]);
-                triangle.draw(number, (y, DVec2::splat(0.5)), depths, numbers);
+                triangle.draw(number, (y, DVec2::splat(0.5)), depths, numbers, |_, nearer| nearer);
             }
         }
         visible

@@ -4,6 +4,7 @@
 //! at the pixel's point in all three. So the pictures differ by the way of shading and by nothing else.
 
 pub(crate) mod batch;
+pub(crate) mod clip;
 pub(crate) mod faces;
 pub(crate) mod fragments;
 

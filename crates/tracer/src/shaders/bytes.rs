@@ -64,13 +64,13 @@ impl<'a> SceneArrays<'a> {
     /// (see [`ShaderSpecialization::asks_each_start`](super::ShaderSpecialization::asks_each_start)).
     pub fn scene_order(self, ranked: bool) -> Vec<u8> {
         let scene = self.0;
-        let mut order: Vec<[u32; 2]> = scene.geometry.scene_indices.iter().map(|&index| [index, 0]).collect();
+        let mut order: Vec<[u32; 2]> = scene.geometry.numbers.iter().map(|&index| [index, 0]).collect();
         if ranked {
             let places = scene
                 .geometry
                 .bodies
                 .par_iter()
-                .zip(&scene.geometry.scene_indices)
+                .zip(&scene.geometry.numbers)
                 .zip(0_u32..scene.geometry.bodies.len() as u32);
             let mut volumes: Vec<(f64, u32, u32)> =
                 places.map(|((body, &index), place)| (body.volume(), index, place)).collect();
@@ -227,7 +227,7 @@ impl FrameUniforms {
             size,
             tiles_across: tiles_across(size[0]),
             bounded: scene.geometry.bounded,
-            bodies: scene.geometry.bodies.len() as u32,
+            bodies: scene.geometry.joined.first_part,
             lights: scene.lights.len() as u32,
             largest_error_bound: scene.geometry.largest_error_bound,
             eye_media_count: media.len().min(MOST_MEDIA) as u32,

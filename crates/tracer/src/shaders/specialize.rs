@@ -74,6 +74,9 @@ pub enum UnsupportedOnGpu {
     /// Some body is huge beside what is seen, or extremely flat, and is intersected in double precision.
     #[error("a body is so large or so flat that it needs double precision, which the GPU does not have")]
     DoublePrecision,
+    /// Some body is a union, an intersection or a difference.
+    #[error("a body is joined of others, which the GPU does not draw")]
+    JoinedBodies,
     /// The eye stands inside of very many transparent bodies at once.
     #[error("the eye is inside of {0} transparent bodies at once; the GPU follows rays through {MOST_MEDIA}")]
     EyeMedia(usize),
@@ -124,6 +127,9 @@ impl ShaderSpecialization {
     ) -> Result<Self, UnsupportedOnGpu> {
         if scene.geometry.has_doubles() {
             return Err(UnsupportedOnGpu::DoublePrecision);
+        }
+        if !scene.geometry.joined.bodies.is_empty() {
+            return Err(UnsupportedOnGpu::JoinedBodies);
         }
         let physical = PhysicalFeatures::of(scene);
         let is_textured = |material: &RenderMaterial| material.texture.is_some();

@@ -33,7 +33,8 @@ impl<W: Width> SurfaceInteraction<W> {
         color_of: impl Fn(&RenderBody, W::M) -> Vector<W::R>,
     ) -> Self {
         let body = start.and(!INWARDS);
-        let mut bsdf = Bsdf { normal, ..Bsdf::black(w, body, start.has(INWARDS)) };
+        let within = scene.geometry.joined.turned(w, body, start.has(INWARDS));
+        let mut bsdf = Bsdf { normal, ..Bsdf::black(w, body, within) };
         each_word::<W>(body, lanes, |index, same| {
             let body = scene.geometry.body(index);
             let material = scene.material(body);
@@ -58,7 +59,7 @@ impl<W: Width> SurfaceInteraction<W> {
             t: hits.t,
             start: hits.body.or(leaving),
             position: Vector::new(zero, zero, zero),
-            bsdf: Bsdf::black(w, hits.body, hits.leaving),
+            bsdf: Bsdf::black(w, hits.body, scene.geometry.joined.turned(w, hits.body, hits.leaving)),
         };
         let mut bodies = [0; MOST_LANES];
         hits.body.store(&mut bodies);

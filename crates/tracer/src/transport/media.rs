@@ -126,7 +126,9 @@ impl MediumStacks {
         if let Some(known) = self.crossings.get(&(media, start)) {
             return *known;
         }
+        // A joined body is one medium, whatever its parts.
         let RayOrigin { body, inwards } = RayOrigin::of_word(start);
+        let RayOrigin { body, inwards } = scene.geometry.joined.whole_of(body, inwards);
         let is_inside = self.bodies(media).any(|other| other == body);
         let beyond = match (inwards, is_inside) {
             (true, true) => self.left(media, body),

@@ -68,7 +68,7 @@ impl Sampler {
         for lane in 0..W::LANES {
             let [x, y] = self.place_of(pixels[lane]);
             // Its place in the scene: that in the scene may change with edits of others.
-            let body = scene.scene_index(bodies[lane]).unwrap_or_default() as u32;
+            let body = scene.geometry.numbers.get(bodies[lane] as usize).copied().unwrap_or_default();
             let key = [x, y, generations[lane], body, what_for.number()].into_iter().fold(0, hashed);
             let [first, other] = pair(self.sample, key);
             [cos[lane], sin[lane]] = cos_sin_of_turn(first);

@@ -7,7 +7,7 @@ pub(crate) mod subset;
 
 use std::sync::{Arc, OnceLock};
 
-use catoptric_scene::{Camera, Scene, Tracing};
+use catoptric_scene::{Body, Camera, Scene, Shape, Tracing};
 use glam::{DVec3, Vec3, Vec3A};
 use rayon::prelude::*;
 
@@ -15,6 +15,7 @@ use crate::geometry::body::RenderBody;
 use crate::geometry::body::double::Bodies64;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::bvh::entry::BuildEntry;
+use crate::geometry::joined::JoinedBodies;
 use crate::geometry::ray::Ray;
 use crate::geometry::space::RenderSpace;
 use crate::geometry::visible_bodies::VisibleBodies;
@@ -24,7 +25,7 @@ use crate::transport::camera::{RenderCamera, SceneExtent};
 pub(crate) use crate::transport::color::linear_rgb;
 use crate::transport::environment::EnvironmentLight;
 use crate::transport::light::RenderLight;
-use crate::transport::scene::build::BodyBuild;
+use crate::transport::scene::build::{BodyBuild, JoinedBuild};
 use crate::transport::scene::log::EditLog;
 pub(crate) use crate::transport::scene::log::SceneChanges;
 use crate::transport::surface::bsdf::BodyMaterials;
@@ -77,18 +78,33 @@ pub enum SceneBuildError {
     /// More bodies than the scene can number.
     #[error("{0} bodies are too many: at most {limit} can be traced", limit = RenderScene::MAX_BODIES)]
     TooManyBodies(usize),
+    /// A union, an intersection or a difference has more parts than a ray can keep apart.
+    #[error("body {body}: {parts} parts are too many: at most {limit} can be joined", limit = Shape::MAX_PARTS)]
+    TooManyParts {
+        /// The body's name, or its number in the scene counted from 1.
+        body: String,
+        /// How many simple parts it has.
+        parts: u32,
+    },
 }
 
 /// Bounds outside of which rays from the eye may start nearer to the bodies: none, where light is absorbed on the way there,
-/// within a plane.
-fn bounds_of_free_ways<'b>(
-    bounds: Bounds,
-    mut planes: impl Iterator<Item = &'b RenderBody>,
-    materials: &[RenderMaterial],
-) -> Bounds {
-    let absorbs =
-        |body: &RenderBody| materials.get(body.material as usize).is_some_and(RenderMaterial::absorbs);
-    if planes.any(absorbs) { Bounds::EMPTY } else { bounds }
+/// within a plane, or where what has no end is more than a plane of the scene.
+fn bounds_of_free_ways(bounds: Bounds, geometry: &Geometry, materials: &[RenderMaterial]) -> Bounds {
+    let is_in_the_way = |index: u32| {
+        let body = geometry.body(index);
+        let absorbs = materials.get(body.material as usize).is_some_and(RenderMaterial::absorbs);
+        let is_member = geometry.numbers.get(index as usize).is_none_or(|&at| at >= geometry.members.first);
+        absorbs || is_member || body.is_joined()
+    };
+    if geometry.planes().any(is_in_the_way) { Bounds::EMPTY } else { bounds }
+}
+
+/// The planes that are bodies of the scene.
+fn planes_of<'s>(geometry: &Geometry, scene: &'s Scene) -> impl Iterator<Item = &'s Body> {
+    let places = geometry.planes().filter_map(|index| geometry.numbers.get(index as usize));
+    let bodies = places.filter_map(|&place| scene.bodies.get(place as usize));
+    bodies.filter(|body| body.shape == Shape::Plane)
 }
 
 impl RenderScene {
@@ -129,20 +145,17 @@ impl RenderScene {
             return Err(SceneBuildError::TooManyBodies(scene.bodies.len()));
         }
         let space = RenderSpace::of(scene, camera);
-        let BodyBuild { mut entries, planes, chunks, materials, checkers, doubles } =
+        let BodyBuild { mut entries, planes, bodies, joined, materials, checkers, doubles } =
             BodyBuild::of(scene, &space)?;
         let hierarchy = Accelerator::over(&mut entries, search);
         let bounds = hierarchy.bounds(&entries);
-        let scene_indices: Vec<u32> =
-            entries.par_iter().map(BuildEntry::place).chain(planes.par_iter().copied()).collect();
-        let bounded = entries.len() as u32;
+        let whole = entries.par_iter().map(BuildEntry::place).chain(planes.par_iter().copied());
+        let parts = joined.par_iter().flat_map_iter(JoinedBuild::parts);
+        let numbers: Vec<u32> = whole.chain(parts).collect();
+        let (bounded, first_part) = (entries.len(), entries.len() + planes.len());
         drop(entries);
-        let bodies: Vec<RenderBody> = scene_indices.par_iter().map(|&index| chunks.body(index)).collect();
-        let surroundings = SceneExtent::new(
-            bounds_of_free_ways(bounds, bodies.iter().skip(bounded as usize), &materials),
-            planes.iter().map(|&index| &scene.bodies[index as usize]),
-            &space,
-        );
+        let members = Arc::new(bodies.members());
+        let bodies: Vec<RenderBody> = numbers.par_iter().map(|&number| bodies.body(number)).collect();
         let Tracing { generations, threshold } = scene.tracing;
         let sky = EnvironmentLight::new(&scene.environment);
         let lanes = match &hierarchy {
@@ -151,17 +164,28 @@ impl RenderScene {
             Accelerator::Many(_) => SimdLevel::widest(),
         };
         let geometry = Geometry {
-            bounded,
-            spheres: bodies[..bounded as usize].par_iter().map(RenderBody::bounding_sphere).collect(),
+            bounded: bounded as u32,
+            spheres: bodies[..bounded].par_iter().map(RenderBody::bounding_sphere).collect(),
             largest_error_bound: bodies.par_iter().map(|body| body.error_bound).reduce(|| 0.0, f32::max),
             largest_extent: bodies.par_iter().map(RenderBody::extent).reduce(|| 0.0, f64::max),
             doubles: Arc::new(Bodies64::new(doubles)),
             has_transparency: materials.iter().any(RenderMaterial::is_transparent),
+            joined: JoinedBodies::new(
+                &bodies,
+                first_part as u32,
+                joined.into_iter().map(|joined| joined.tree),
+            ),
             hierarchy,
             space,
             bodies,
-            scene_indices,
+            numbers,
+            members,
         };
+        let surroundings = SceneExtent::new(
+            bounds_of_free_ways(bounds, &geometry, &materials),
+            planes_of(&geometry, scene),
+            &space,
+        );
         let render_scene = Self {
             geometry,
             is_full: materials.iter().any(RenderMaterial::is_full)
@@ -210,9 +234,9 @@ impl RenderScene {
         self.geometry.has_transparency
     }
 
-    /// Number of bodies.
+    /// Number of bodies, each member of a group counted, a joined body as one.
     pub fn body_count(&self) -> usize {
-        self.geometry.bodies.len()
+        self.geometry.joined.first_part as usize
     }
 
     /// Number of lights.
@@ -272,6 +296,13 @@ impl RenderScene {
     /// The place in [`Scene::bodies`] of the scene's body `index`.
     pub fn scene_index(&self, index: u32) -> Option<usize> {
         self.geometry.scene_index(index)
+    }
+
+    /// A number for body `index`, or for the whole that it is a part of: its place in [`Scene::bodies`], or beyond those
+    /// its place among the members of groups.
+    pub(crate) fn number(&self, index: u32) -> Option<usize> {
+        let whole = self.geometry.joined.whole_of(index, false).body;
+        self.geometry.numbers.get(whole as usize).map(|&number| number as usize)
     }
 
     /// A number for the bodies and the hierarchy as they are: only copies that were not edited share it.

@@ -10,6 +10,7 @@ mod edits;
 mod extremes;
 mod film;
 mod invariance;
+mod joined;
 mod limits;
 mod local_light;
 mod materials;

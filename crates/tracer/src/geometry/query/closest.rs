@@ -1,7 +1,7 @@
 //! The nearest hits so far.
 
 use crate::geometry::Geometry;
-use crate::geometry::query::{BodyIntersection, BodyVisitor, PacketHits, RayQuery};
+use crate::geometry::query::{BodyIntersection, BodyVisitor, JoinedHits, PacketHits, RayQuery};
 use crate::geometry::ray::POINT_ROUNDING;
 use crate::simd::{Float as _, Float32, MOST_LANES, Mask as _, Width, Word as _};
 
@@ -60,6 +60,15 @@ impl<W: Width> ClosestHits<W> {
         t.times_plus(t.like(POINT_ROUNDING), self.origin_error_bound + larger)
     }
 
+    /// Takes note of where rays first cross the surface of a joined body.
+    #[inline(always)]
+    fn offer_joined(&mut self, w: W, first: &JoinedHits<W>) {
+        let JoinedHits { t, part, face, entering, leaving } = *first;
+        self.entering.offer(w, part, (t, face), entering);
+        self.leaving.offer(w, part, (t, face), leaving);
+        self.t_max = self.t_max.min(t_max_for(self.entering.t.min(self.leaving.t), self.margin));
+    }
+
     /// The first hits of `lanes`, before those that are contested are settled. Of hits that coincide within rounding, the
     /// one that leads out comes before the one that leads in: bodies that touch have a film of air between them.
     #[inline(always)]
@@ -89,6 +98,8 @@ impl<W: Width> ClosestHits<W> {
             hits.face = W::R::select(hits.leaving, self.leaving.face, face);
             hits.body = W::W::select(hits.leaving, self.leaving.body, body);
         }
+        // Up to here rays leave or enter bodies; from here on the surfaces of parts.
+        hits.leaving = geometry.joined.turned(w, hits.body, hits.leaving);
         hits
     }
 }
@@ -103,14 +114,17 @@ impl<W: Width> BodyVisitor<W> for ClosestHits<W> {
 
     #[inline(always)]
     fn body(&mut self, query: &RayQuery<'_, W>, index: u32, lanes: W::M) {
+        if query.geometry.body(index).is_joined() {
+            return self.offer_joined(query.w, &query.first_of_joined(index, lanes));
+        }
         let Some(meeting) = query.intersect_body(index, lanes) else { return };
         let BodyIntersection { entering, enter, enter_face, leaving, exit, exit_face } = meeting;
         if entering.any() {
-            self.entering.offer(query.w, index, (enter, enter_face), entering);
+            self.entering.offer(query.w, query.w.word(index), (enter, enter_face), entering);
             self.t_max = self.t_max.min(t_max_for(self.entering.t, self.margin));
         }
         if leaving.any() {
-            self.leaving.offer(query.w, index, (exit, exit_face), leaving);
+            self.leaving.offer(query.w, query.w.word(index), (exit, exit_face), leaving);
             self.t_max = self.t_max.min(t_max_for(self.leaving.t, self.margin));
         }
     }
@@ -120,12 +134,12 @@ impl<W: Width> ClosestHit<W> {
     /// Takes note of hits. Which of equal ones counts is left to
     /// [`resolve_coincident`](crate::geometry::query::coincident::resolve_coincident).
     #[inline(always)]
-    fn offer(&mut self, w: W, index: u32, (t, face): (W::R, W::R), lanes: W::M) {
+    fn offer(&mut self, w: W, body: W::W, (t, face): (W::R, W::R), lanes: W::M) {
         let t = W::R::select(lanes, t, w.real(f32::INFINITY));
         self.second = self.second.min(t.max(self.t));
         let is_nearer = t.lt(self.t);
         self.t = self.t.min(t);
-        self.body = W::W::select(is_nearer, w.word(index), self.body);
+        self.body = W::W::select(is_nearer, body, self.body);
         self.face = W::R::select(is_nearer, face, self.face);
     }
 

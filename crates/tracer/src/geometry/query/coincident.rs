@@ -5,7 +5,7 @@ use crate::geometry::bvh::packet::TraversalStack;
 use crate::geometry::membership::BodyMembership;
 use crate::geometry::query::candidates::Candidates;
 use crate::geometry::query::closest::{ClosestHits, GRAZING};
-use crate::geometry::query::{BodyVisitor, PacketHits, RayQuery};
+use crate::geometry::query::{BodyVisitor, JoinedHits, PacketHits, RayQuery};
 use crate::geometry::ray::{POINT_ROUNDING, RayPacket, error_bound_at};
 use crate::simd::scalar::ScalarWidth;
 use crate::simd::vector::Vector;
@@ -124,6 +124,8 @@ impl RayQuery<'_, ScalarWidth> {
 
     /// |cos| of the angle between the ray and the normal where it enters or leaves a body.
     fn cosine(&self, body: u32, leaving: bool) -> f32 {
+        // Of what is cut away, leaving is entering.
+        let leaving = self.geometry.joined.turned(ScalarWidth, body, leaving);
         let cosines = self.geometry.span_and_cosines(ScalarWidth, body, self.origin, self.direction).1;
         cosines[usize::from(leaving)]
     }
@@ -144,6 +146,14 @@ impl BodyVisitor<ScalarWidth> for CrossingVisitor {
     }
 
     fn body(&mut self, query: &RayQuery<'_, ScalarWidth>, index: u32, is_near: bool) {
+        if query.geometry.body(index).is_joined() {
+            let JoinedHits { t, part, face, entering, leaving } = query.first_of_joined(index, is_near);
+            let is_met = if self.leaving { leaving } else { entering };
+            if is_met && t <= self.t_max {
+                self.crossings.push(SurfaceCrossing { t, face, body: part });
+            }
+            return;
+        }
         let Some(meeting) = query.intersect_body(index, is_near) else { return };
         let (is_met, t, face) = if self.leaving {
             (meeting.leaving, meeting.exit, meeting.exit_face)

@@ -118,6 +118,16 @@ pub(crate) fn hull_of_discs(frame: &DAffine3, discs: &[(f64, f64)]) -> Vec<DVec3
     points
 }
 
+/// Whether the axes of a frame are not perpendicular, but for the rounding of single precision: those of a part may be so
+/// that is turned within what is stretched.
+pub(crate) fn is_oblique(linear: &DMat3) -> bool {
+    /// A few roundings; a body reaches no further for them than by its own bound of rounding.
+    const ROUNDING: f64 = 1e-6;
+    let DMat3 { x_axis: x, y_axis: y, z_axis: z } = *linear;
+    let is_square = |a: DVec3, b: DVec3| a.dot(b).abs() <= ROUNDING * a.length() * b.length();
+    !(is_square(x, y) && is_square(y, z) && is_square(z, x))
+}
+
 /// About how far a point is outside of an ellipsoid about the origin, negative inside (I. Quilez 2008, distance to an
 /// ellipsoid).
 pub(crate) fn to_ellipsoid(at: DVec3, radii: DVec3) -> f64 {

@@ -11,7 +11,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 
 use crate::geometry::shape::ShapeSpan;
-use crate::geometry::shape::solid::{PicturePlace, RevolutionRing, Solid, to_ellipsoid};
+use crate::geometry::shape::solid::{PicturePlace, RevolutionRing, Solid, is_oblique, to_ellipsoid};
 use crate::simd::Float;
 use crate::simd::vector::Vector;
 
@@ -95,6 +95,10 @@ impl Solid for UnitBall {
     }
 }
 
+/// The longest axis of an ellipsoid, or more where the frame is oblique.
 fn longest_axis(linear: &DMat3) -> f64 {
-    linear.x_axis.length().max(linear.y_axis.length()).max(linear.z_axis.length())
+    let squares = [linear.x_axis, linear.y_axis, linear.z_axis].map(DVec3::length_squared);
+    let longest =
+        if is_oblique(linear) { squares.iter().sum() } else { squares.into_iter().fold(0.0, f64::max) };
+    longest.sqrt()
 }

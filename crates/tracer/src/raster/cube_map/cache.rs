@@ -77,27 +77,27 @@ impl CubeMaps {
         let (mut made_use, mut counts) =
             (CubeMapUse { bytes, ..CubeMapUse::default() }, RayCounts::default());
         let missing =
-            |index: &&u32| scene.scene_index(**index).is_some_and(|place| !self.maps.contains_key(&place));
+            |index: &&u32| scene.number(**index).is_some_and(|place| !self.maps.contains_key(&place));
         let missing: Vec<u32> = bodies.iter().filter(missing).copied().collect();
         control.expect(missing.len() as u64 * CubeMap::pixels_of(size) as u64);
         for &index in &missing {
             let start = Instant::now();
             let (map, rays) = render_around(scene, index, size, control)?;
             counts += rays;
-            if let Some(place) = scene.scene_index(index) {
+            if let Some(place) = scene.number(index) {
                 self.maps.insert(place, CubeMapBuild { map: Arc::new(map), time: start.elapsed() });
             }
         }
         made_use.built = missing.len() as u32;
         made_use.kept = (bodies.len() - missing.len()) as u32;
-        let used = bodies.iter().filter_map(|&index| self.maps.get(&scene.scene_index(index)?));
+        let used = bodies.iter().filter_map(|&index| self.maps.get(&scene.number(index)?));
         made_use.build_time = used.map(|made| made.time).sum();
         Ok((made_use, counts))
     }
 
-    /// The map of the body at this place in the scene, if there is one.
-    pub fn get(&self, scene_index: usize) -> Option<&Arc<CubeMap>> {
-        self.maps.get(&scene_index).map(|made| &made.map)
+    /// The map of the body of this [number](RenderScene::number), if there is one.
+    pub(crate) fn get(&self, number: usize) -> Option<&Arc<CubeMap>> {
+        self.maps.get(&number).map(|made| &made.map)
     }
 
     /// Drops the maps that show what has changed; and those that are not needed now, if all would take too much memory.
@@ -107,7 +107,7 @@ impl CubeMaps {
             self.shown.as_ref().map_or(CubeMapInvalidation::Everything, |before| before.changes(&shown));
         self.shown = Some(shown);
         let needed: BTreeMap<usize, u32> =
-            needed.iter().filter_map(|&index| Some((scene.scene_index(index)?, index))).collect();
+            needed.iter().filter_map(|&index| Some((scene.number(index)?, index))).collect();
         let is_much =
             (self.maps.len() + needed.len()) as u64 * CubeMap::bytes_of(size) as u64 > Self::MOST_BYTES;
         self.maps.retain(|place, made| {
@@ -163,7 +163,7 @@ impl CubeMapInputs {
             (*place, (plain, scene.material(body).clone(), checker))
         };
         Self {
-            bodies: scene.geometry.bodies.iter().zip(&scene.geometry.scene_indices).map(body).collect(),
+            bodies: scene.geometry.bodies.iter().zip(&scene.geometry.numbers).map(body).collect(),
             lights: Arc::clone(&scene.lights),
             surroundings: (scene.sky.clone(), scene.ambient, scene.generations, scene.threshold),
         }

@@ -12,7 +12,7 @@ use crate::transport::scene::RenderScene;
 /// The point around which the map of a body is made, meters: the middle of the body; of a plane, the point below (or
 /// above) the middle of all bounded bodies.
 pub(crate) fn center_of(scene: &RenderScene, index: u32) -> DVec3 {
-    let body = scene.geometry.body(index);
+    let body = scene.geometry.body(scene.geometry.joined.whole_of(index, false).body);
     let to_world = |point: DVec3| {
         let rows = body.world_from_body.map(|row| DVec3::from(row.map(f64::from)));
         DVec3::from(body.origin.map(f64::from)) + DVec3::from(rows.map(|row| row.dot(point)))
@@ -54,10 +54,12 @@ pub(crate) struct ParallaxBox {
 impl ParallaxBox {
     /// The box around the body `index`, whose map is made around `center`.
     pub(crate) fn around(scene: &RenderScene, index: u32, center: DVec3) -> Self {
+        let index = scene.geometry.joined.whole_of(index, false).body;
         /// A plane counts as a wall if it runs along the box but for the rounding of single precision.
         const ALONG: f64 = 1.0 - 1e-6;
         let (mut min, mut max) = (DVec3::NEG_INFINITY, DVec3::INFINITY);
-        for plane in scene.geometry.planes().filter(|&plane| plane != index) {
+        let is_wall = |&plane: &u32| plane != index && !scene.geometry.body(plane).is_joined();
+        for plane in scene.geometry.planes().filter(is_wall) {
             let normal = plane_normal(scene, plane);
             let at = DVec3::from(scene.geometry.body(plane).origin.map(f64::from));
             for axis in (0..3).filter(|&axis| normal[axis].abs() >= ALONG) {

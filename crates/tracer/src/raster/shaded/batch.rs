@@ -9,11 +9,13 @@ use crate::raster::pass::PassName;
 use crate::raster::point_shader::{PointShader, ShadingPoint, vector};
 use crate::raster::rasterizer::{ScreenTriangle, TriangleCorner, VisibilityBuffer};
 use crate::raster::sample_sums::PassTimer;
+use crate::raster::shaded::clip::PartFace;
 use crate::raster::shaded::faces::{FaceList, MeshCache, WorldFace, WorldVertex};
 use crate::raster::shaded::fragments::BAND;
 use crate::raster::shaded::{ShadingFrequency, ShadingJob};
+use crate::simd::double::Mask64;
 use crate::simd::vector::Vector;
-use crate::simd::{SimdKernel, Width};
+use crate::simd::{Mask as _, SimdKernel, Width};
 use crate::transport::counts::RayCounts;
 use crate::transport::sampler::Sampler;
 use crate::transport::scene::RenderScene;
@@ -186,7 +188,12 @@ fn triangles(job: &ShadingJob<'_>, corners: &[TriangleCorner], faces: &[WorldFac
     let triangles = faces.par_iter().enumerate().flat_map_iter(|(number, face)| {
         let at = |corner| place(job.shading, number, face, corner);
         let halves = [[0, 1, 2], [0, 2, 3]].map(|half| half.map(at));
-        halves.into_iter().filter_map(|half| ScreenTriangle::new(corners, half, face.start.word(), job.frame))
+        let new = |half| ScreenTriangle::new(corners, half, face.start.word(), job.frame);
+        let of_part = |mut triangle: ScreenTriangle| {
+            triangle.outward = face.outward;
+            triangle
+        };
+        halves.into_iter().filter_map(new).map(of_part)
     });
     triangles.collect()
 }
@@ -254,11 +261,18 @@ impl SimdKernel for BandKernel<'_> {
             }
             let Some(triangle) = batch.triangles.get(number as usize) else { continue };
             let rows = triangle.rows();
+            let part = PartFace::of(job.scene, triangle, &batch.corners, job.settings.fineness);
             for y in rows.start.max(top)..rows.end.min(top + BAND) {
                 let row = (y - top) * stride..(y - top + 1) * stride;
                 if let (Some(depths), Some(triangles)) = (depths.get_mut(row.clone()), triangles.get_mut(row))
                 {
-                    triangle.draw(number, (y, offset), depths, triangles);
+                    let at = (y, offset);
+                    match &part {
+                        None => triangle.draw(number, at, depths, triangles, |_, nearer| nearer),
+                        Some(part) => triangle.draw(number, at, depths, triangles, |run, nearer| {
+                            Mask64::of_bits(part.kept(run, nearer.bits()))
+                        }),
+                    }
                 }
             }
         }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use glam::{DMat3, DVec3};
 
 use crate::geometry::body::RenderBody;
-use crate::geometry::ray::{NO_BODY, RayOrigin};
+use crate::geometry::ray::RayOrigin;
 use crate::geometry::shape::ShapeKind;
 use crate::raster::mesh::Mesh;
 use crate::raster::mesh::patch::PlanePatch;
@@ -36,6 +36,8 @@ pub(crate) struct WorldFace {
     /// Of length 1, on the side that is seen.
     pub(crate) normal: DVec3,
     pub(crate) start: RayOrigin,
+    /// Of a part of a joined body: the normal out of the part. It is seen only where it bounds the whole.
+    pub(crate) outward: Option<DVec3>,
 }
 
 /// The faces of some bodies.
@@ -71,21 +73,44 @@ impl FaceList {
         fineness: u32,
         meshes: &mut MeshCache,
     ) {
+        // Of a body that is seen from outside only the side that faces the eye is seen.
+        let is_outside = camera.eye().is_some_and(|eye| !scene.geometry.contains(index, eye));
+        let Some(joined) = scene.geometry.joined(index) else {
+            let is_plane = scene.geometry.body(index).canonical().kind == ShapeKind::Plane;
+            let hidden = (is_outside && !is_plane).then_some(true);
+            return self.add_simple(scene, camera, index, (hidden, false), fineness, meshes);
+        };
+        for (part, index) in (0..).zip(joined.parts()) {
+            // Of what is cut away the inner side is seen.
+            let hidden = is_outside.then_some(!joined.tree.is_inverted(part));
+            self.add_simple(scene, camera, index, (hidden, true), fineness, meshes);
+        }
+    }
+
+    /// Adds the faces of a simple body, or of a part, but for those whose inner side, or outer side, `hidden` tells to be
+    /// the one that is seen.
+    fn add_simple(
+        &mut self,
+        scene: &RenderScene,
+        camera: &RenderCamera,
+        index: u32,
+        (hidden, is_part): (Option<bool>, bool),
+        fineness: u32,
+        meshes: &mut MeshCache,
+    ) {
         let body = scene.geometry.body(index);
         let mesh = meshes.of(body, camera, fineness);
         let first = self.vertices.len() as u32;
         self.add_vertices(body, index, &mesh);
-        // Of a body that is seen from outside only the side that faces the eye is seen.
-        let hides_inside = camera.eye().is_some_and(|eye| !scene.geometry.contains(index, eye))
-            && body.canonical().kind != ShapeKind::Plane;
         for corners in &mesh.faces {
             let corners = corners.map(|corner| corner + first);
             let Some(mut face) = self.face(corners, index) else { continue };
+            face.outward = is_part.then_some(face.normal);
             face.start.inwards = face.normal.dot(camera.toward_viewer(face.middle)) < 0.0;
+            if hidden == Some(face.start.inwards) {
+                continue;
+            }
             if face.start.inwards {
-                if hides_inside {
-                    continue;
-                }
                 face.normal = -face.normal;
             }
             for corner in corners {
@@ -104,7 +129,7 @@ impl FaceList {
         let normal_from_body = matrix(body.body_from_world);
         let origin = DVec3::from(body.origin.map(f64::from));
         // The checkerboard of a body in double precision looks at points of the world.
-        let is_checkered = body.is_double() && body.checker != NO_BODY;
+        let is_checkered = body.sees_checker_in_world();
         self.vertices.extend(mesh.vertices.iter().map(|vertex| {
             let position = origin + world_from_body * vertex.point;
             WorldVertex {
@@ -127,6 +152,6 @@ impl FaceList {
         let across = (c.position - a.position).cross(d.position - b.position);
         let outward = across.dot(a.normal + b.normal + c.normal).signum();
         let normal = (across * outward).normalize_or(a.normal);
-        Some(WorldFace { corners, middle, normal, start: RayOrigin { body, inwards: false } })
+        Some(WorldFace { corners, middle, normal, start: RayOrigin { body, inwards: false }, outward: None })
     }
 }

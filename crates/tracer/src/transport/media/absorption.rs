@@ -5,6 +5,7 @@
 //! into the order in which the ray enters them.
 
 use std::cmp::Ordering;
+use std::ops::Range;
 
 use crate::simd::vector::Vector;
 use crate::simd::{Float32 as _, MOST_LANES, Mask as _, Width, Word as _};
@@ -12,7 +13,7 @@ use crate::transport::media::MediumStacks;
 use crate::transport::scene::RenderScene;
 use crate::transport::surface::exponential;
 
-/// The part of a ray that lies within a transparent body: one at most, since bodies are convex.
+/// A part of a ray that lies within a transparent body: one at most, unless that is joined of others.
 #[derive(Clone, Copy, Debug)]
 struct MediumInterval {
     /// The ray's place among those side by side, or its number in a stream.
@@ -72,6 +73,11 @@ impl MediumIntervals {
             let enter = if is_within { 0.0 } else { enters[lane] };
             self.list.push(MediumInterval { ray: lane as u32, body, enter, exit: exits[lane], is_within });
         }
+    }
+
+    /// Notes that a ray is in a body from one parameter to another, from its start if it starts there.
+    pub(crate) fn note_one(&mut self, body: u32, ray: u32, way: Range<f32>, is_within: bool) {
+        self.list.push(MediumInterval { ray, body, enter: way.start, exit: way.end, is_within });
     }
 
     /// What is left of the light that comes along rays side by side, which start in these media. Forgets all intervals.

@@ -2,8 +2,10 @@
 
 use crate::geometry::bvh::Bvh;
 use crate::geometry::bvh::packet::TraversalStack;
+use crate::geometry::query::joined::JoinedCrossing;
 use crate::geometry::query::{BodyIntersection, BodyVisitor, HitRecord, RayQuery};
 use crate::geometry::ray::POINT_ROUNDING;
+use crate::simd::scalar::ScalarWidth;
 use crate::simd::vector::Vector;
 use crate::simd::{Float as _, Float32 as _, MOST_LANES, Mask as _, Width};
 use crate::transport::media::MediumStacks;
@@ -62,6 +64,14 @@ impl<W: Width> RayQuery<'_, W> {
             first[0]
         };
         let mut test = |index: u32| {
+            if self.geometry.body(index).is_joined() {
+                self.each_joined_crossing(index, distance, self.lanes, |_, crossing| {
+                    let leaving = self.geometry.joined.turned(ScalarWidth, crossing.part, !crossing.enters);
+                    found(HitRecord { t: crossing.t, body: crossing.part, leaving });
+                    true
+                });
+                return;
+            }
             let Some(crossed) = self.crossed(index, distance, self.lanes) else { return };
             let BodyCrossing { in_front, enter, behind, exit, .. } = crossed;
             if in_front.any() {
@@ -92,12 +102,90 @@ impl<W: Width> RayQuery<'_, W> {
         lanes: W::M,
         intervals: &mut MediumIntervals,
     ) {
+        if self.geometry.body(index).is_joined() {
+            return self.note_joined(index, distance, lanes, intervals);
+        }
         if self.geometry.body(index).is_transparent()
             && let Some(crossed) = self.crossed(index, distance, lanes)
         {
             let BodyCrossing { in_front, enter, within, exit, .. } = crossed;
             intervals.note::<W>(index, (in_front, enter), (within, exit.min(distance)));
         }
+    }
+}
+
+impl<W: Width> RayQuery<'_, W> {
+    /// Shows `take` the rays that cross the surface of a joined body before `distance`, crossing by crossing, as long
+    /// as it returns true.
+    fn each_joined_crossing(
+        &self,
+        index: u32,
+        distance: W::R,
+        lanes: W::M,
+        mut take: impl FnMut(usize, JoinedCrossing) -> bool,
+    ) {
+        let mut distances = [0.0; MOST_LANES];
+        distance.store(&mut distances);
+        self.each_walk(index, lanes, |lane, mut walk| {
+            while let Some(crossing) = walk.next()
+                && crossing.t < distances[lane]
+                && take(lane, crossing)
+            {}
+        });
+    }
+
+    /// What passes a joined body on the way to a light: the product of the filters of all its surfaces.
+    #[cold]
+    #[inline(never)]
+    fn pass_joined(
+        &self,
+        scene: &RenderScene,
+        (index, distance): (u32, W::R),
+        lanes: W::M,
+    ) -> Transmittance<W> {
+        let mut shares = [[1.0; MOST_LANES]; 3];
+        let (mut passing, mut is_filtered) = (lanes.bits(), false);
+        self.each_joined_crossing(index, distance, lanes, |lane, crossing| {
+            let part = self.geometry.body(crossing.part);
+            if !part.is_transparent() {
+                passing &= !(1 << lane);
+                return false;
+            }
+            is_filtered = true;
+            for (shares, filter) in shares.iter_mut().zip(scene.material(part).filter) {
+                shares[lane] *= filter;
+            }
+            true
+        });
+        let [red, green, blue] = shares;
+        let share = || Vector::new(self.w.load(&red), self.w.load(&green), self.w.load(&blue));
+        Transmittance { lanes: self.w.mask(passing), share: is_filtered.then(share) }
+    }
+
+    /// Notes the parts of the way to a light that lie within a transparent joined body.
+    #[cold]
+    #[inline(never)]
+    fn note_joined(&self, index: u32, distance: W::R, lanes: W::M, intervals: &mut MediumIntervals) {
+        if !self.geometry.body(index).is_transparent() {
+            return;
+        }
+        let mut distances = [0.0; MOST_LANES];
+        distance.store(&mut distances);
+        self.each_walk(index, lanes, |lane, mut walk| {
+            let mut interval = walk.is_inside().then_some((0.0, true));
+            let end = distances[lane];
+            while let Some(crossing) = walk.next()
+                && crossing.t < end
+            {
+                if let Some((enter, is_within)) = interval {
+                    intervals.note_one(index, lane as u32, enter..crossing.t, is_within);
+                }
+                interval = crossing.enters.then_some((crossing.t, false));
+            }
+            if let Some((enter, is_within)) = interval {
+                intervals.note_one(index, lane as u32, enter..end, is_within);
+            }
+        });
     }
 }
 
@@ -169,6 +257,19 @@ impl<W: Width> BodyVisitor<W> for TransmittanceVisitor<'_, W> {
 
     #[inline(always)]
     fn body(&mut self, query: &RayQuery<'_, W>, index: u32, lanes: W::M) {
+        if query.geometry.body(index).is_joined() {
+            let passed = query.pass_joined(self.scene, (index, self.distance), lanes & self.passed.lanes);
+            if let Some(intervals) = &mut self.intervals {
+                query.note_joined(index, self.distance, passed.lanes, intervals);
+            }
+            self.passed.lanes = self.passed.lanes & (passed.lanes | !lanes);
+            self.t_max = W::R::select(self.passed.lanes, self.t_max, query.w.real(f32::NEG_INFINITY));
+            if let Some(share) = passed.share {
+                let all = self.passed.share.unwrap_or_else(|| all_of(query.w));
+                self.passed.share = Some(Vector::select(passed.lanes, all.times(share), all).bounded());
+            }
+            return;
+        }
         let Some(BodyCrossing { in_front, enter, within, behind, exit }) =
             query.crossed(index, self.distance, lanes & self.passed.lanes)
         else {

@@ -1,11 +1,18 @@
 //! The bodies of a scene on their way to the scene.
 
-use catoptric_scene::{Body, List, Scene};
+use std::ops::Range;
+
+use catoptric_scene::{Body, Form, List, MaterialChoice, Scene, Shape};
+use glam::DAffine3;
 use rayon::prelude::*;
 
+use crate::geometry::Members;
 use crate::geometry::body::double::Body64;
-use crate::geometry::body::{BodyParts, RenderBody};
+use crate::geometry::body::{PreparedBody, RenderBody};
+use crate::geometry::bounds::Bounds;
 use crate::geometry::bvh::entry::BuildEntry;
+use crate::geometry::canonical::CanonicalBody;
+use crate::geometry::joined::JoinTree;
 use crate::geometry::ray::NO_BODY;
 use crate::geometry::space::RenderSpace;
 use crate::transport::scene::SceneBuildError;
@@ -13,39 +20,77 @@ use crate::transport::surface::material::{MaterialTable, NamedMaterials, RenderM
 use crate::transport::texture::checker::CheckerTexture;
 
 /// What is known of a scene's bodies before they are brought into the hierarchy's order.
+///
+/// Each has a number: its place in the scene, or beyond those its place among the [`Members`] of groups and the parts of
+/// joined bodies.
 pub(crate) struct BodyBuild {
     /// One for each visible bounded body.
     pub(crate) entries: Vec<BuildEntry>,
-    /// The places of the visible planes.
+    /// The numbers of the visible bodies without end.
     pub(crate) planes: Vec<u32>,
-    pub(crate) chunks: BodyChunks,
+    pub(crate) bodies: NumberedBodies,
+    pub(crate) joined: Vec<JoinedBuild>,
     pub(crate) materials: Vec<RenderMaterial>,
     pub(crate) checkers: Vec<CheckerTexture>,
-    /// Those in double precision, by their places in the scene, in order.
+    /// Those in double precision, by their numbers, in order.
     pub(crate) doubles: Vec<(u32, Body64)>,
+}
+
+/// A body that is joined of others.
+pub(crate) struct JoinedBuild {
+    /// The number of its first part.
+    first: u32,
+    pub(crate) tree: JoinTree,
 }
 
 /// So many bodies that are neighbors in the scene are prepared by one thread.
 const CHUNK: usize = SLICES * List::<Body>::SLICE;
 const SLICES: usize = 16;
 
-/// The prepared bodies in the scene's order, the hidden ones with them.
-pub(crate) struct BodyChunks(Vec<(Vec<RenderBody>, ChunkIndices)>);
+/// The prepared bodies by their numbers, the hidden ones with them.
+pub(crate) struct NumberedBodies {
+    chunks: Vec<(Vec<RenderBody>, ChunkNumbering)>,
+    members: Vec<RenderBody>,
+    numbering: Members,
+}
 
-/// What the materials and checkers of a chunk are numbered in the scene.
-struct ChunkIndices {
+/// What the materials, checkers and joined bodies of a chunk are numbered in the scene.
+struct ChunkNumbering {
     materials: Vec<u32>,
     first_checker: u32,
+    first_joined: u32,
 }
 
 /// What one thread finds out about some bodies.
 struct ChunkBuild<'a> {
+    named: &'a NamedMaterials<'a>,
+    space: &'a RenderSpace,
     bodies: Vec<RenderBody>,
     entries: Vec<BuildEntry>,
     planes: Vec<u32>,
     materials: MaterialTable<'a>,
     checkers: Vec<CheckerTexture>,
     doubles: Vec<(u32, Body64)>,
+    /// Members of groups and parts of joined bodies, numbered from 0 on.
+    members: Vec<MemberBuild>,
+    joined: Vec<JoinedBuild>,
+}
+
+/// A body that the scene has only as a part of another.
+struct MemberBuild {
+    /// The place in the scene of what it belongs to.
+    scene_index: u32,
+    body: RenderBody,
+    double: Option<Box<Body64>>,
+    /// Whether searches look for it, and within which bounds: a part of a joined body is no place by itself.
+    search: Option<SearchedBounds>,
+}
+
+/// Where searches look for a body.
+#[derive(Clone, Copy)]
+enum SearchedBounds {
+    Bounded(Bounds),
+    Endless,
 }
 
 impl BodyBuild {
@@ -59,40 +104,96 @@ impl BodyBuild {
         // Of several undefined materials the first is told.
         let chunks = chunks.into_iter().collect::<Result<Vec<_>, _>>()?;
         let mut table = MaterialTable::default();
-        let mut cast = Self {
+        let mut all = Self {
             entries: Vec::with_capacity(chunks.iter().map(|chunk| chunk.entries.len()).sum()),
             planes: Vec::new(),
-            chunks: BodyChunks(Vec::with_capacity(chunks.len())),
+            bodies: NumberedBodies {
+                chunks: Vec::with_capacity(chunks.len()),
+                members: Vec::new(),
+                numbering: Members { first: scene.bodies.len() as u32, scene_indices: Vec::new() },
+            },
+            joined: Vec::new(),
             materials: Vec::new(),
             checkers: Vec::new(),
             doubles: Vec::new(),
         };
+        let mut member_doubles = Vec::new();
         for chunk in chunks {
-            let numbering = ChunkIndices {
+            let numbering = ChunkNumbering {
                 materials: table.append(&chunk.materials),
-                first_checker: cast.checkers.len() as u32,
+                first_checker: all.checkers.len() as u32,
+                first_joined: all.joined.len() as u32,
             };
-            cast.entries.extend(chunk.entries);
-            cast.planes.extend(chunk.planes);
-            cast.checkers.extend(chunk.checkers);
-            cast.doubles.extend(chunk.doubles);
-            cast.chunks.0.push((chunk.bodies, numbering));
+            all.entries.extend(chunk.entries);
+            all.planes.extend(chunk.planes);
+            all.checkers.extend(chunk.checkers);
+            all.doubles.extend(chunk.doubles);
+            let first_member = all.bodies.member_number();
+            let joined = chunk.joined.into_iter();
+            all.joined
+                .extend(joined.map(|joined| JoinedBuild { first: first_member + joined.first, ..joined }));
+            for member in chunk.members {
+                let number = all.bodies.member_number();
+                let MemberBuild { scene_index, body, double, search } = member;
+                member_doubles.extend(double.map(|double| (number, *double)));
+                match search {
+                    Some(SearchedBounds::Bounded(bounds)) => {
+                        all.entries.push(BuildEntry::new(bounds, number, u32::from(body.kind)));
+                    }
+                    Some(SearchedBounds::Endless) => all.planes.push(number),
+                    None => {}
+                }
+                all.bodies.members.push(numbering.applied(body));
+                all.bodies.numbering.scene_indices.push(scene_index);
+            }
+            all.bodies.chunks.push((chunk.bodies, numbering));
         }
-        cast.materials = table.into_prepared();
-        Ok(cast)
+        all.doubles.extend(member_doubles);
+        all.materials = table.into_prepared();
+        Ok(all)
     }
 }
 
-impl BodyChunks {
-    /// The body at this place in the scene, which is not hidden.
-    pub(crate) fn body(&self, index: u32) -> RenderBody {
-        let (bodies, numbering) = &self.0[index as usize / CHUNK];
-        let mut body = bodies[index as usize % CHUNK];
-        body.material = numbering.materials[body.material as usize];
+impl JoinedBuild {
+    /// The numbers of its parts.
+    pub(crate) fn parts(&self) -> Range<u32> {
+        self.first..self.first + self.tree.parts
+    }
+}
+
+impl ChunkNumbering {
+    fn applied(&self, mut body: RenderBody) -> RenderBody {
+        body.material = self.materials.get(body.material as usize).copied().unwrap_or_default();
         if body.checker != NO_BODY {
-            body.checker += numbering.first_checker;
+            body.checker += self.first_checker;
+        }
+        if body.is_joined() {
+            body.set_joined_number(body.joined_number() as u32 + self.first_joined);
         }
         body
+    }
+}
+
+impl NumberedBodies {
+    /// The number of the next member.
+    fn member_number(&self) -> u32 {
+        self.numbering.first + self.members.len() as u32
+    }
+
+    /// Which members belong to what.
+    pub(crate) fn members(&self) -> Members {
+        self.numbering.clone()
+    }
+
+    /// The body of this number, which is not hidden.
+    pub(crate) fn body(&self, number: u32) -> RenderBody {
+        match number.checked_sub(self.numbering.first) {
+            Some(member) => self.members[member as usize],
+            None => {
+                let (bodies, numbering) = &self.chunks[number as usize / CHUNK];
+                numbering.applied(bodies[number as usize % CHUNK])
+            }
+        }
     }
 }
 
@@ -101,49 +202,192 @@ impl<'a> ChunkBuild<'a> {
     fn of(
         slices: &[&'a [Body]],
         first: usize,
-        (named, space): (&NamedMaterials<'a>, &RenderSpace),
+        (named, space): (&'a NamedMaterials<'a>, &'a RenderSpace),
     ) -> Result<Self, SceneBuildError> {
         let count = slices.iter().map(|slice| slice.len()).sum();
         let mut chunk = Self {
+            named,
+            space,
             bodies: Vec::with_capacity(count),
             entries: Vec::with_capacity(count),
             planes: Vec::new(),
             materials: MaterialTable::default(),
             checkers: Vec::new(),
             doubles: Vec::new(),
+            members: Vec::new(),
+            joined: Vec::new(),
         };
-        for (body, index) in slices.iter().copied().flatten().zip(first..) {
-            let BodyParts { body: mut prepared, bounds, double } = RenderBody::prepare(body, space);
-            if !body.hidden {
-                chunk.doubles.extend(double.map(|double| (index as u32, *double)));
-                let found = chunk.materials.find(named, &body.material);
-                let (material, source) = found.ok_or_else(|| undefined_material(index, body))?;
-                prepared.material = material;
-                prepared.transparent = u8::from(chunk.materials.prepared(material).is_transparent());
-                if let Some(checker) = source.pattern().and_then(|pattern| pattern.checker.as_ref()) {
-                    prepared.checker = chunk.checkers.len() as u32;
-                    chunk.checkers.push(CheckerTexture::new(checker, body, space, prepared.is_double()));
-                }
-                match bounds {
-                    Some(bounds) => {
-                        chunk.entries.push(BuildEntry::new(bounds, index as u32, u32::from(prepared.kind)));
-                    }
-                    None => chunk.planes.push(index as u32),
-                }
-            }
-            chunk.bodies.push(prepared);
+        for (body, index) in slices.iter().copied().flatten().zip(first as u32..) {
+            chunk.add(body, index)?;
         }
         Ok(chunk)
     }
+
+    fn add(&mut self, body: &'a Body, index: u32) -> Result<(), SceneBuildError> {
+        if body.hidden {
+            self.bodies.push(RenderBody::NONE);
+            return Ok(());
+        }
+        let place = ScenePlace { body, index };
+        let (prepared, search) = match body.shape {
+            Shape::Group => {
+                self.add_members(place, &body.form(), &body.material, DAffine3::IDENTITY)?;
+                (RenderBody::NONE, None)
+            }
+            Shape::Union | Shape::Intersection | Shape::Difference => {
+                self.join(place, &body.form(), &body.material, DAffine3::IDENTITY)?
+            }
+            _ => {
+                let canonical = CanonicalBody::of(body);
+                let PreparedBody { body: mut prepared, bounds, double } =
+                    RenderBody::prepare_shape(&canonical, self.space);
+                self.doubles.extend(double.map(|double| (index, *double)));
+                self.make_of(place, &mut prepared, &canonical, &body.material)?;
+                (prepared, Some(bounds.map_or(SearchedBounds::Endless, SearchedBounds::Bounded)))
+            }
+        };
+        match search {
+            Some(SearchedBounds::Bounded(bounds)) => {
+                self.entries.push(BuildEntry::new(bounds, index, u32::from(prepared.kind)));
+            }
+            Some(SearchedBounds::Endless) => self.planes.push(index),
+            None => {}
+        }
+        self.bodies.push(prepared);
+        Ok(())
+    }
+
+    /// Gives a prepared body its material and its checker.
+    fn make_of(
+        &mut self,
+        place: ScenePlace<'_>,
+        prepared: &mut RenderBody,
+        canonical: &CanonicalBody,
+        choice: &'a MaterialChoice,
+    ) -> Result<(), SceneBuildError> {
+        let found = self.materials.find(self.named, choice);
+        let (material, source) = found.ok_or_else(|| place.undefined_material(choice))?;
+        prepared.material = material;
+        prepared.transparent = u8::from(self.materials.prepared(material).is_transparent());
+        if let Some(checker) = source.pattern().and_then(|pattern| pattern.checker.as_ref()) {
+            prepared.checker = self.checkers.len() as u32;
+            let is_double = prepared.is_double();
+            self.checkers.push(CheckerTexture::new(checker, canonical, self.space, is_double));
+        }
+        Ok(())
+    }
+
+    /// Adds the members of a group that stands in the frame `around`.
+    fn add_members(
+        &mut self,
+        place: ScenePlace<'_>,
+        group: &Form<'a>,
+        material: &'a MaterialChoice,
+        around: DAffine3,
+    ) -> Result<(), SceneBuildError> {
+        let frame = around * group.placement.world_from_body();
+        for part in group.parts {
+            let (form, material) = (part.form(), part.material.as_ref().unwrap_or(material));
+            let (body, double, search) = match form.shape {
+                Shape::Group => {
+                    self.add_members(place, &form, material, frame)?;
+                    continue;
+                }
+                Shape::Union | Shape::Intersection | Shape::Difference => {
+                    let (body, search) = self.join(place, &form, material, frame)?;
+                    (body, None, search)
+                }
+                _ => {
+                    let frame = frame * form.placement.world_from_body();
+                    let canonical = CanonicalBody::placed(form.sized_shape(), frame);
+                    let PreparedBody { mut body, bounds, double } =
+                        RenderBody::prepare_shape(&canonical, self.space);
+                    self.make_of(place, &mut body, &canonical, material)?;
+                    let search = bounds.map_or(SearchedBounds::Endless, SearchedBounds::Bounded);
+                    (body, double, Some(search))
+                }
+            };
+            self.members.push(MemberBuild { scene_index: place.index, body, double, search });
+        }
+        Ok(())
+    }
+
+    /// Adds the parts of a union, an intersection or a difference that stands in the frame `around`. What is made of them,
+    /// and where searches look for it: nowhere if it is empty.
+    fn join(
+        &mut self,
+        place: ScenePlace<'_>,
+        form: &Form<'a>,
+        material: &'a MaterialChoice,
+        around: DAffine3,
+    ) -> Result<(RenderBody, Option<SearchedBounds>), SceneBuildError> {
+        let tree = JoinTree::of(form);
+        if tree.parts as usize > Shape::MAX_PARTS {
+            return Err(place.too_many_parts(tree.parts));
+        }
+        let mut parts = Vec::with_capacity(tree.parts as usize);
+        for part in form.parts {
+            part.form().each_simple(DAffine3::IDENTITY, &mut |simple| {
+                let material = simple.material.or(part.material.as_ref()).unwrap_or(material);
+                parts.push((simple, material));
+            });
+        }
+        // Boxes in the frame of the whole are mostly the tighter ones.
+        let (mut boxes, mut own_boxes, mut members) = (Vec::new(), Vec::new(), Vec::new());
+        let frame = around * form.placement.world_from_body();
+        for (part, material) in parts {
+            let in_whole = CanonicalBody::placed(part.shape, part.frame);
+            own_boxes.push(in_whole.bounds().unwrap_or(Bounds::EVERYWHERE));
+            let canonical = CanonicalBody::placed(part.shape, frame * part.frame);
+            let PreparedBody { mut body, bounds, double } = RenderBody::prepare_shape(&canonical, self.space);
+            self.make_of(place, &mut body, &canonical, material)?;
+            boxes.push(bounds.unwrap_or(Bounds::EVERYWHERE));
+            members.push(MemberBuild { scene_index: place.index, body, double, search: None });
+        }
+        let of_all =
+            |boxes: &[Bounds]| tree.bounds(|part| boxes.get(part as usize).copied().unwrap_or(Bounds::EMPTY));
+        let (bounds, own_bounds) = (of_all(&boxes), of_all(&own_boxes));
+        if bounds.is_empty() || own_bounds.is_empty() {
+            return Ok((RenderBody::NONE, None));
+        }
+        let is_bounded = own_bounds.is_finite() && bounds.is_finite();
+        let error_bound = members.iter().map(|part| part.body.error_bound).fold(0.0, f32::max);
+        let number = self.joined.len() as u32;
+        let own_box = is_bounded.then(|| {
+            let frame = frame * own_bounds.frame();
+            DAffine3 { translation: self.space.render_from_world(frame.translation), ..frame }
+        });
+        let mut whole = RenderBody::joined(number, own_box, error_bound);
+        let bounds = whole.bounds().map_or(bounds, |own| own.common(bounds));
+        let found = self.materials.find(self.named, material);
+        (whole.material, _) = found.ok_or_else(|| place.undefined_material(material))?;
+        whole.transparent = u8::from(members.iter().any(|part| part.body.is_transparent()));
+        self.joined.push(JoinedBuild { first: self.members.len() as u32, tree });
+        self.members.extend(members);
+        let search = if is_bounded { SearchedBounds::Bounded(bounds) } else { SearchedBounds::Endless };
+        Ok((whole, Some(search)))
+    }
 }
 
-fn undefined_material(index: usize, body: &Body) -> SceneBuildError {
-    SceneBuildError::UndefinedMaterial {
-        body: if body.name.is_empty() {
-            format!("number {}", index + 1)
-        } else {
-            format!("\"{}\"", body.name)
-        },
-        material: body.material.name().unwrap_or_default().to_owned(),
+/// A body of the scene, to be named in errors.
+#[derive(Clone, Copy)]
+struct ScenePlace<'a> {
+    body: &'a Body,
+    index: u32,
+}
+
+impl ScenePlace<'_> {
+    fn name(self) -> String {
+        let Self { body, index } = self;
+        if body.name.is_empty() { format!("number {}", index + 1) } else { format!("\"{}\"", body.name) }
+    }
+
+    fn undefined_material(self, choice: &MaterialChoice) -> SceneBuildError {
+        let material = choice.name().unwrap_or_default().to_owned();
+        SceneBuildError::UndefinedMaterial { body: self.name(), material }
+    }
+
+    fn too_many_parts(self, parts: u32) -> SceneBuildError {
+        SceneBuildError::TooManyParts { body: self.name(), parts }
     }
 }

@@ -6,9 +6,10 @@ use std::sync::{Arc, OnceLock};
 use catoptric_scene::{Body, Material, Scene, Shape, Tracing};
 
 use crate::geometry::Accelerator;
-use crate::geometry::body::{BodyParts, RenderBody};
+use crate::geometry::body::{PreparedBody, RenderBody};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::bvh::refit::NodePath;
+use crate::geometry::canonical::CanonicalBody;
 use crate::geometry::ray::NO_BODY;
 use crate::geometry::space::RenderSpace;
 use crate::geometry::sphere::BoundingSphere;
@@ -17,7 +18,7 @@ use crate::transport::color::linear_rgb;
 use crate::transport::environment::EnvironmentLight;
 use crate::transport::light::RenderLight;
 use crate::transport::scene::log::SceneChanges;
-use crate::transport::scene::{RenderScene, bounds_of_free_ways};
+use crate::transport::scene::{RenderScene, bounds_of_free_ways, planes_of};
 use crate::transport::surface::material::RenderMaterial;
 use crate::transport::texture::checker::CheckerTexture;
 
@@ -64,11 +65,12 @@ impl RenderScene {
                 continue;
             }
             let is_plane = |body: &Body| body.shape == Shape::Plane;
-            if old.hidden || new.hidden || is_plane(old) != is_plane(new) {
+            let is_compound = old.shape.is_compound() || new.shape.is_compound();
+            if is_compound || old.hidden || new.hidden || is_plane(old) != is_plane(new) {
                 return None;
             }
             let (place, path) = self.find(old, index as u32)?;
-            let BodyParts { body, bounds, double } = RenderBody::prepare(new, &self.geometry.space);
+            let PreparedBody { body, bounds, double } = RenderBody::prepare(new, &self.geometry.space);
             if double.is_some() || self.geometry.doubles.get(index as u32).is_some() {
                 return None;
             }
@@ -98,19 +100,22 @@ impl RenderScene {
                 sort_leaf(
                     &mut self.geometry.bodies,
                     &mut self.geometry.spheres,
-                    &mut self.geometry.scene_indices,
+                    &mut self.geometry.numbers,
                     leaf.clone(),
                 );
-                let indices = self.geometry.scene_indices.get(range(&leaf)).unwrap_or_default();
-                let boxes = indices.iter().filter_map(|&index| bounds_of(after, index, &self.geometry.space));
+                let boxes = range(&leaf).filter_map(|index| {
+                    let kept = self.geometry.bodies.get(index)?;
+                    let number = *self.geometry.numbers.get(index)?;
+                    match after.bodies.get(number as usize) {
+                        Some(body) if !kept.is_joined() => bounds_of(body, &self.geometry.space),
+                        _ => kept.bounds(),
+                    }
+                });
                 bvh.refit(path, boxes.fold(Bounds::EMPTY, Bounds::union));
             }
-            let own_planes = self.geometry.bodies.iter().skip(self.geometry.bounded as usize);
-            let bounds = bounds_of_free_ways(bvh.bounds(), own_planes, &self.materials);
-            let planes =
-                self.geometry.scene_indices.get(self.geometry.bounded as usize..).unwrap_or_default();
-            let planes = planes.iter().filter_map(|&index| after.bodies.get(index as usize));
-            let surroundings = SceneExtent::new(bounds, planes, &self.geometry.space);
+            let bounds = bounds_of_free_ways(bvh.bounds(), &self.geometry, &self.materials);
+            let surroundings =
+                SceneExtent::new(bounds, planes_of(&self.geometry, after), &self.geometry.space);
             self.camera = RenderCamera::new(&after.camera, surroundings, self.geometry.space.origin);
         }
         self.log.add(changes);
@@ -131,7 +136,7 @@ impl RenderScene {
     /// The place of the body `index` of the scene, which is `body` there, and the way to its leaf, if it hangs on one.
     pub(crate) fn find(&self, body: &Body, index: u32) -> Option<(u32, Option<NodePath>)> {
         let place_in = |places: Range<u32>| {
-            let indices = self.geometry.scene_indices.get(range(&places))?;
+            let indices = self.geometry.numbers.get(range(&places))?;
             let place = indices.iter().position(|&at| at == index)?;
             Some(places.start + place as u32)
         };
@@ -204,20 +209,24 @@ impl BodyEdit {
         let material = RenderMaterial::new(of);
         body.transparent = u8::from(material.is_transparent());
         let checker = of.pattern().and_then(|pattern| pattern.checker.as_ref());
-        let checker = checker.map(|checker| CheckerTexture::new(checker, source, space, false));
+        let checker =
+            checker.map(|checker| CheckerTexture::new(checker, &CanonicalBody::of(source), space, false));
         Self { place, body, material, checker, path }
     }
 }
 
 /// Whether two bodies are the same to the tracer.
 fn is_alike(one: &Body, other: &Body) -> bool {
-    let Body { name: _, locked: _, shape, placement, material, hidden } = one;
-    let is_same = other.shape == *shape && other.placement == *placement && other.material == *material;
+    let Body { name: _, locked: _, shape, placement, material, hidden, parts } = one;
+    let is_same = other.shape == *shape
+        && other.placement == *placement
+        && other.material == *material
+        && other.parts == *parts;
     (*hidden && other.hidden) || (is_same && other.hidden == *hidden)
 }
 
-fn bounds_of(scene: &Scene, index: u32, space: &RenderSpace) -> Option<Bounds> {
-    RenderBody::prepare(scene.bodies.get(index as usize)?, space).bounds
+fn bounds_of(body: &Body, space: &RenderSpace) -> Option<Bounds> {
+    RenderBody::prepare(body, space).bounds
 }
 
 /// Puts the bodies of a leaf in order again, one of which may have got another shape.

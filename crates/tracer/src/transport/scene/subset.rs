@@ -21,21 +21,22 @@ impl RenderScene {
     /// with the number of the bodies wanted; if there are many, with that of all, by a comparison each.
     pub fn only(&self, scene: &Scene, scene_indices: &[usize]) -> Self {
         let wanted: BTreeSet<usize> = scene_indices.iter().copied().collect();
-        let chosen: Vec<u32> = if wanted.len() <= FEW_WANTED {
+        let is_simple = |&index: &usize| scene.bodies.get(index).is_none_or(|body| !body.shape.is_compound());
+        let chosen: Vec<u32> = if wanted.len() <= FEW_WANTED && wanted.iter().all(is_simple) {
             let place = |&index: &usize| Some(self.find(scene.bodies.get(index)?, index as u32)?.0);
             wanted.iter().filter_map(place).collect()
         } else {
-            let places = self.geometry.scene_indices.iter().zip(0..);
-            let chosen = places.filter(|&(&index, _)| wanted.contains(&(index as usize)));
-            chosen.map(|(_, place)| place).collect()
+            let is_wanted =
+                |&index: &u32| self.geometry.scene_index(index).is_some_and(|place| wanted.contains(&place));
+            self.geometry.whole().filter(is_wanted).collect()
         };
         self.with_bodies(&chosen)
     }
 
-    /// This scene without its body `index`.
+    /// This scene without its body `index`, or what that is a part of.
     pub(crate) fn without(&self, index: u32) -> Self {
-        let others: Vec<u32> =
-            (0..self.geometry.bodies.len() as u32).filter(|&other| other != index).collect();
+        let whole = self.geometry.joined.whole_of(index, false).body;
+        let others: Vec<u32> = self.geometry.whole().filter(|&other| other != whole).collect();
         self.with_bodies(&others)
     }
 
@@ -50,12 +51,15 @@ impl RenderScene {
             }
         }
         let hierarchy = Accelerator::over(&mut entries, AcceleratorChoice::Quickest);
-        let order: Vec<u32> = entries.iter().map(BuildEntry::place).chain(planes).collect();
+        let mut order: Vec<u32> = entries.iter().map(BuildEntry::place).chain(planes).collect();
+        let joined = self.geometry.joined.only(&self.geometry.bodies, &mut order);
         let geometry = Geometry {
+            joined,
+            members: Arc::clone(&self.geometry.members),
             bodies: order.iter().map(|&index| *self.geometry.body(index)).collect(),
-            scene_indices: order
+            numbers: order
                 .iter()
-                .filter_map(|&index| self.geometry.scene_indices.get(index as usize))
+                .filter_map(|&index| self.geometry.numbers.get(index as usize))
                 .copied()
                 .collect(),
             bounded: entries.len() as u32,

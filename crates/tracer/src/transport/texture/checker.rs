@@ -1,6 +1,6 @@
 //! Checkerboards, seen from a body.
 
-use catoptric_scene::{Body, Checker, CheckerSpace};
+use catoptric_scene::{Checker, CheckerSpace};
 use glam::{DAffine3, DMat3, DVec3};
 
 use crate::geometry::body::{inverse_linear, is_diagonal, mul, rows, scale_plus};
@@ -34,7 +34,7 @@ impl CheckerTexture {
 
     /// The checkerboard of a body in a scene's space of rays; whether the body is there [in double
     /// precision](crate::geometry::body::RenderBody::is_double).
-    pub(crate) fn new(checker: &Checker, body: &Body, space: &RenderSpace, is_double: bool) -> Self {
+    pub(crate) fn new(checker: &Checker, body: &CanonicalBody, space: &RenderSpace, is_double: bool) -> Self {
         let transform = pattern_from(checker.space, body, space, is_double);
         let origin = transform.translation / checker.size;
         let whole = origin.floor();
@@ -78,8 +78,12 @@ impl CheckerTexture {
 }
 
 /// From where points are known to the space of the checkerboard, meters.
-fn pattern_from(of: CheckerSpace, body: &Body, space: &RenderSpace, is_double: bool) -> DAffine3 {
-    let canonical = CanonicalBody::of(body);
+fn pattern_from(
+    of: CheckerSpace,
+    canonical: &CanonicalBody,
+    space: &RenderSpace,
+    is_double: bool,
+) -> DAffine3 {
     let world_from_canonical = canonical.world_from_canonical;
     if is_double {
         // In the body's own frame single precision is too rough; in the space of the rays it is not.
@@ -94,7 +98,7 @@ fn pattern_from(of: CheckerSpace, body: &Body, space: &RenderSpace, is_double: b
         };
     }
     // The frame of a plane may have been moved within it.
-    let moved = if canonical.is_plane() { space.frame_near(&canonical) } else { None };
+    let moved = if canonical.is_plane() { space.frame_near(canonical) } else { None };
     let (frame, shift) = moved.unwrap_or((world_from_canonical, DVec3::ZERO));
     match of {
         CheckerSpace::World => frame,

@@ -67,7 +67,14 @@ impl Dice {
             Kind::Table(table) | Kind::NameOrTable(table) => {
                 format!("{{ {} }}", self.table(table).join(", "))
             }
-            Kind::Version(_) | Kind::Text | Kind::File | Kind::Named(_) | Kind::List(_) => return None,
+            // The parts of a body.
+            Kind::List(table) => {
+                let parts = 0..=self.below(3);
+                let parts: Vec<String> =
+                    parts.map(|_| format!("{{ {} }}", self.table(table).join(", "))).collect();
+                format!("[{}]", parts.join(", "))
+            }
+            Kind::Version(_) | Kind::Text | Kind::File | Kind::Named(_) => return None,
         })
     }
 
@@ -79,8 +86,12 @@ impl Dice {
             table.keys.iter().partition(|key| is_choice(key));
         for key in choices.into_iter().chain(others) {
             // Shapes and models are mostly chosen, hidden things make no picture.
-            let wanted =
-                if matches!(key.kind, Kind::Choice(_)) { self.below(4) > 0 } else { self.below(2) == 0 };
+            let wanted = match key.kind {
+                // What has parts needs them.
+                Kind::List(_) => true,
+                Kind::Choice(_) => self.below(4) > 0,
+                _ => self.below(2) == 0,
+            };
             let is_excluded = chosen.iter().any(|(name, _)| key.excludes.contains(name))
                 || table.keys.iter().any(|other| {
                     other.excludes.contains(&key.name) && chosen.iter().any(|(name, _)| *name == other.name)

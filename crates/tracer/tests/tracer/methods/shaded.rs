@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 
 use catoptric_scene::{
-    Checker, Coated, Color, Conductor, Example, Light, Material, MetalOptics, Pattern, Phong, Projection,
-    Scene, Shape,
+    Body, BodyPart, Checker, Coated, Color, Conductor, Example, Light, Material, MaterialChoice, MetalOptics,
+    Pattern, Phong, Placement, Projection, Scene, Shape,
 };
 use catoptric_tracer::RenderScene;
 use catoptric_tracer::raster::{LightModel, Method, ShadingSettings};
@@ -279,5 +279,61 @@ fn batches_hide_each_other_in_any_order() {
         assert_eq!(picture_of(bodies.clone(), method), in_order);
         bodies.reverse();
         assert_ne!(picture_of(bodies[..7].to_vec(), method), in_order);
+    }
+}
+
+/// The faces of joined bodies show what the traced bodies do: no film where parts have a face in common, nothing of what is
+/// cut away, no gaps between the faces of parts.
+#[test]
+fn joined_bodies_have_their_shape_in_all_three() {
+    let part =
+        |shape: Shape, at: DVec3| BodyPart { shape, placement: Placement::at(at), ..BodyPart::default() };
+    let of = |color: [f64; 3], part: BodyPart| {
+        let [r, g, b] = color;
+        BodyPart { material: Some(MaterialChoice::own(glow(r, g, b))), ..part }
+    };
+    let joined = |shape: Shape, parts: Vec<BodyPart>, at: DVec3| Body {
+        shape,
+        parts,
+        placement: Placement::at(at),
+        material: MaterialChoice::own(glow(0.9, 0.2, 0.1)),
+        ..Body::default()
+    };
+    let pip = |at: DVec3| of([0.1, 0.9, 0.2], part(Shape::Sphere { radius: 0.4 }, at));
+    let die = joined(
+        Shape::Difference,
+        vec![
+            part(Shape::Cube { size: DVec3::splat(1.6) }, DVec3::ZERO),
+            pip(DVec3::new(0.3, 0.9, 0.2)),
+            pip(DVec3::new(0.1, -0.2, 0.95)),
+        ],
+        DVec3::new(-1.8, 0.9, 0.0),
+    );
+    let tube = joined(
+        Shape::Difference,
+        vec![
+            part(Shape::Cylinder { radius: 0.8, height: 1.2 }, DVec3::ZERO),
+            of([0.1, 0.3, 0.9], part(Shape::Cylinder { radius: 0.6, height: 1.2 }, DVec3::ZERO)),
+        ],
+        DVec3::new(0.2, 0.0, 0.4),
+    );
+    let lens = joined(
+        Shape::Intersection,
+        vec![
+            part(Shape::Sphere { radius: 1.4 }, DVec3::new(0.0, 0.0, -1.0)),
+            of([0.8, 0.8, 0.1], part(Shape::Sphere { radius: 1.4 }, DVec3::new(0.0, 0.0, 1.0))),
+        ],
+        DVec3::new(2.0, 1.0, 0.2),
+    );
+    let floor = body(Shape::Plane, DVec3::ZERO, glow(0.3, 0.4, 0.5));
+    let scene =
+        scene(vec![die, tube, lens, floor], camera(v(0.6, 3.6, 6.0), v(0.0, 0.6, 0.0), 42.0), Vec::new());
+    let render_scene = render_scene(&scene).with_generations(1);
+    let truth = traced(&render_scene, size(240, 160));
+    for method in [Method::Flat, Method::Gouraud, Method::Phong] {
+        let found = drawn(&render_scene, method(fine(32)), size(240, 160)).picture;
+        let pairs = found.pixels().iter().zip(truth.pixels());
+        let off = pairs.filter(|(found, truth)| differs(found, truth, 0.02)).count();
+        assert!(off < 240 * 160 / 200, "{off} pixels show something else");
     }
 }

@@ -32,6 +32,9 @@ fn textbook_shape(canonical: &CanonicalShape) -> Shape {
         }
         ShapeKind::Paraboloid => Shape::Paraboloid { radius: 1.0, depth: ParaboloidDepth::Height(1.0) },
         ShapeKind::Plane => Shape::Plane,
+        ShapeKind::Joined | ShapeKind::JoinedEndless => {
+            unreachable!("{kind:?} is no canonical shape", kind = canonical.kind)
+        }
     }
 }
 

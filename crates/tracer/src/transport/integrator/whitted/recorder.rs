@@ -8,7 +8,7 @@ use glam::{UVec2, Vec3};
 use crate::geometry::membership::BodyMembership;
 use crate::geometry::query::candidates::Candidates;
 use crate::geometry::query::{HitRecord, RayQuery, found_in};
-use crate::geometry::ray::{Ray, RayPacket};
+use crate::geometry::ray::{Ray, RayOrigin, RayPacket};
 use crate::simd::scalar::ScalarWidth;
 use crate::simd::vector::Vector;
 use crate::transport::integrator::whitted::{PacketRadiance, WhittedIntegrator};
@@ -154,16 +154,20 @@ impl PathObserver<ScalarWidth> for PathRecorder<'_> {
         inside: &BodyMembership,
         through: &Transmittance<ScalarWidth>,
     ) {
-        let mut hits: Vec<HitRecord> = Vec::new();
+        let geometry = &self.scene.geometry;
+        // With the whole that a part belongs to, and whether that is left.
+        let mut hits: Vec<(HitRecord, RayOrigin)> = Vec::new();
         RayQuery::new(ScalarWidth, &self.scene.geometry, rays, true, inside, Candidates::All)
-            .crossings(distance, |hit| hits.push(hit));
-        hits.sort_by(|a, b| {
-            let order = || self.scene.geometry.scene_order(a.body, b.body);
-            a.t.total_cmp(&b.t).then(b.leaving.cmp(&a.leaving)).then_with(order)
+            .crossings(distance, |hit| hits.push((hit, geometry.joined.whole_of(hit.body, hit.leaving))));
+        hits.sort_by(|(a, of_a), (b, of_b)| {
+            let order = || geometry.scene_order(a.body, b.body);
+            a.t.total_cmp(&b.t).then(of_b.inwards.cmp(&of_a.inwards)).then_with(order)
         });
         let mut media = self.media.clone();
         // Rays that start outwards have left the body that they start from.
-        media.retain(|&body| rays.start != body);
+        let RayOrigin { body, inwards } = RayOrigin::of_word(rays.start);
+        let start = geometry.joined.whole_of(body, inwards);
+        media.retain(|&body| start.inwards || start.body != body);
         let mut from = 0.0;
         let mut left_until = |until: f32, media: &[u32]| {
             let way = (until - std::mem::replace(&mut from, until)).max(0.0);
@@ -171,19 +175,19 @@ impl PathObserver<ScalarWidth> for PathRecorder<'_> {
             material.map_or(Vec3::ONE, |material| material.left_after(way).into())
         };
         let mut crossings = Vec::new();
-        for hit in &hits {
+        for (hit, RayOrigin { body: whole, inwards: leaving }) in hits {
             let body = self.scene.geometry.body(hit.body);
             let mut filter = None;
             if body.is_transparent() {
                 let own = Vec3::from(self.scene.material(body).filter);
                 filter = Some(own * left_until(hit.t, &media));
-                media.retain(|&other| other != hit.body);
-                if !hit.leaving {
-                    media.push(hit.body);
+                media.retain(|&other| other != whole);
+                if !leaving {
+                    media.push(whole);
                 }
             }
             let Some(body) = self.scene.scene_index(hit.body) else { continue };
-            crossings.push(ShadowCrossing { body, distance: hit.t, leaving: hit.leaving, filter });
+            crossings.push(ShadowCrossing { body, distance: hit.t, leaving, filter });
         }
         let through_last = left_until(distance, &media);
         if let Some(term) = self.lights.last_mut() {

@@ -2,8 +2,10 @@
 //! tiny offset against self-intersection and a list for the media. What the tracer is held against.
 
 use catoptric_picture::Picture;
-use catoptric_scene::{Anchor, Body, Camera, Color, Falloff, Material, Phong, Projection, Scene, Shape};
-use glam::{DMat3, DVec3};
+use catoptric_scene::{
+    Anchor, Body, Camera, Color, Falloff, Form, Material, MaterialChoice, Phong, Projection, Scene, Shape,
+};
+use glam::{DAffine3, DMat3, DVec3};
 
 use super::textbook;
 
@@ -15,7 +17,15 @@ pub(crate) struct Oracle<'a> {
     offset: f64,
 }
 
+/// A body: its simple parts, of which it has one if it is not compound.
 struct Placed<'a> {
+    form: Form<'a>,
+    /// Of the whole.
+    material: &'a Phong,
+    parts: Vec<PlacedPart<'a>>,
+}
+
+struct PlacedPart<'a> {
     shape: Shape,
     material: &'a Phong,
     world_from_body: DMat3,
@@ -23,27 +33,74 @@ struct Placed<'a> {
     position: DVec3,
 }
 
-struct Hit {
+struct Hit<'a> {
     t: f64,
     body: usize,
     /// Outward.
     normal: DVec3,
+    material: &'a Phong,
 }
 
-impl Placed<'_> {
-    fn crossings(&self, origin: DVec3, direction: DVec3) -> Vec<(f64, DVec3)> {
-        let o = self.body_from_world * (origin - self.position);
-        let d = self.body_from_world * direction;
-        let normal = |n: DVec3| (self.body_from_world.transpose() * n).normalize();
-        textbook::crossings(&self.shape, o, d).into_iter().map(|(t, n)| (t, normal(n))).collect()
+/// Whether a point lies in the next of the `parts` that make up a form.
+fn contains<'p>(form: &Form<'_>, parts: &mut impl Iterator<Item = &'p PlacedPart<'p>>, p: DVec3) -> bool {
+    if !form.shape.is_compound() {
+        return parts.next().unwrap().contains(p);
+    }
+    // Every part is asked, so that the next form has its own.
+    let inside: Vec<bool> = form.parts.iter().map(|part| contains(&part.form(), parts, p)).collect();
+    match form.shape {
+        Shape::Intersection => inside.iter().all(|is_in| *is_in),
+        Shape::Difference => inside[0] && !inside[1..].contains(&true),
+        _ => inside.contains(&true),
+    }
+}
+
+impl<'a> Placed<'a> {
+    fn contains(&self, p: DVec3) -> bool {
+        contains(&self.form, &mut self.parts.iter(), p)
+    }
+
+    /// Where a line crosses the surface: the parameter, the outward normal, and what the surface is made of.
+    fn crossings(&self, origin: DVec3, direction: DVec3) -> Vec<(f64, DVec3, &'a Phong)> {
+        let mut all: Vec<_> = self.parts.iter().flat_map(|part| part.crossings(origin, direction)).collect();
+        if self.parts.len() == 1 {
+            return all;
+        }
+        // Of a compound body those count after which membership is another than before.
+        const STEP: f64 = 1e-7;
+        let is_in = |t: f64| self.contains(origin + t * direction);
+        all.retain_mut(|(t, normal, _)| {
+            let enters = is_in(*t + STEP);
+            *normal *= if (normal.dot(direction) < 0.0) == enters { 1.0 } else { -1.0 };
+            enters != is_in(*t - STEP)
+        });
+        all
     }
 
     fn is_transparent(&self) -> bool {
-        self.filter() != DVec3::ZERO
+        filter(self.material) != DVec3::ZERO
     }
 
-    fn filter(&self) -> DVec3 {
-        self.material.transmission * rgb(self.material.tint)
+    fn volume(&self) -> f64 {
+        self.parts.iter().map(PlacedPart::volume).sum()
+    }
+}
+
+fn filter(material: &Phong) -> DVec3 {
+    material.transmission * rgb(material.tint)
+}
+
+impl<'a> PlacedPart<'a> {
+    fn contains(&self, p: DVec3) -> bool {
+        textbook::implicit(&self.shape, self.body_from_world * (p - self.position)) <= 0.0
+    }
+
+    fn crossings(&self, origin: DVec3, direction: DVec3) -> Vec<(f64, DVec3, &'a Phong)> {
+        let o = self.body_from_world * (origin - self.position);
+        let d = self.body_from_world * direction;
+        let crossing =
+            |(t, n): (f64, DVec3)| (t, (self.body_from_world.transpose() * n).normalize(), self.material);
+        textbook::crossings(&self.shape, o, d).into_iter().map(crossing).collect()
     }
 
     fn volume(&self) -> f64 {
@@ -58,6 +115,9 @@ impl Placed<'_> {
                 0.5 * std::f64::consts::PI * radius * radius * depth.height(radius)
             }
             Shape::Plane => f64::INFINITY,
+            Shape::Union | Shape::Intersection | Shape::Difference | Shape::Group => {
+                unreachable!("parts are simple")
+            }
         };
         own * self.world_from_body.determinant().abs()
     }
@@ -83,8 +143,7 @@ impl<'a> Oracle<'a> {
         let mut around: Vec<usize> = (0..self.bodies.len())
             .filter(|&body| {
                 let placed = &self.bodies[body];
-                let p = placed.body_from_world * (origin - placed.position);
-                placed.is_transparent() && textbook::implicit(&placed.shape, p) <= 0.0
+                placed.is_transparent() && placed.contains(origin)
             })
             .collect();
         around.sort_by(|&a, &b| self.bodies[b].volume().total_cmp(&self.bodies[a].volume()));
@@ -109,12 +168,12 @@ impl<'a> Oracle<'a> {
         }
     }
 
-    fn nearest(&self, origin: DVec3, direction: DVec3) -> Option<Hit> {
-        let mut best: Option<Hit> = None;
+    fn nearest(&self, origin: DVec3, direction: DVec3) -> Option<Hit<'a>> {
+        let mut best: Option<Hit<'a>> = None;
         for (body, placed) in self.bodies.iter().enumerate() {
-            for (t, normal) in placed.crossings(origin, direction) {
+            for (t, normal, material) in placed.crossings(origin, direction) {
                 if t > self.offset && best.as_ref().is_none_or(|hit| t < hit.t) {
-                    best = Some(Hit { t, body, normal });
+                    best = Some(Hit { t, body, normal, material });
                 }
             }
         }
@@ -128,8 +187,7 @@ impl<'a> Oracle<'a> {
         let at = origin + hit.t * direction;
         let leaving = direction.dot(hit.normal) > 0.0;
         let n = if leaving { -hit.normal } else { hit.normal };
-        let placed = &self.bodies[hit.body];
-        let material = placed.material;
+        let material = hit.material;
         let mut light = self.local(material, at, n, -direction);
         let is_last = generation >= self.scene.tracing.generations;
         let reflected = || {
@@ -137,7 +195,7 @@ impl<'a> Oracle<'a> {
             self.trace(at, mirrored, generation + 1, media)
         };
         let mut reflection = material.reflection();
-        if placed.is_transparent() {
+        if filter(material) != DVec3::ZERO {
             let mut beyond = media.to_vec();
             match beyond.iter().rposition(|&inside| inside == hit.body) {
                 Some(place) => drop(beyond.remove(place)),
@@ -150,7 +208,7 @@ impl<'a> Oracle<'a> {
                     let is_bent = index(media) != index(&beyond);
                     if !(is_last && is_bent) {
                         let next = generation + u32::from(is_bent);
-                        light += placed.filter() * self.trace(at, bent, next, &beyond);
+                        light += filter(material) * self.trace(at, bent, next, &beyond);
                     }
                 }
                 None => reflection = 1.0,
@@ -197,9 +255,9 @@ impl<'a> Oracle<'a> {
     fn visibility(&self, at: DVec3, to_light: DVec3, distance: f64) -> DVec3 {
         let mut passed = DVec3::ONE;
         for placed in &self.bodies {
-            for (t, _) in placed.crossings(at, to_light) {
+            for (t, _, material) in placed.crossings(at, to_light) {
                 if t > self.offset && t < distance - self.offset {
-                    passed *= placed.filter();
+                    passed *= filter(material);
                 }
             }
         }
@@ -219,7 +277,21 @@ fn snell(direction: DVec3, n: DVec3, from: f64, to: f64) -> Option<DVec3> {
 }
 
 fn place<'a>(scene: &'a Scene, body: &'a Body) -> Placed<'a> {
-    let material = scene.material(&body.material).and_then(Material::as_phong).unwrap();
+    let phong = |choice: &'a MaterialChoice| scene.material(choice).and_then(Material::as_phong).unwrap();
+    let material = phong(&body.material);
+    let mut parts = Vec::new();
+    if body.shape.is_compound() {
+        body.form().each_simple(DAffine3::IDENTITY, &mut |part| {
+            parts.push(PlacedPart {
+                shape: part.shape,
+                material: part.material.map_or(material, phong),
+                world_from_body: part.frame.matrix3,
+                body_from_world: part.frame.matrix3.inverse(),
+                position: part.frame.translation,
+            });
+        });
+        return Placed { form: body.form(), material, parts };
+    }
     let Anchor::Frame { position, rotation_degrees } = body.placement.anchor else {
         unreachable!("the oracle's scenes place bodies by frame");
     };
@@ -227,7 +299,8 @@ fn place<'a>(scene: &'a Scene, body: &'a Body) -> Placed<'a> {
     let turn = DMat3::from_rotation_z(z) * DMat3::from_rotation_y(y) * DMat3::from_rotation_x(x);
     let world_from_body = turn * DMat3::from_diagonal(body.placement.scale);
     let body_from_world = DMat3::from_diagonal(body.placement.scale.recip()) * turn.transpose();
-    Placed { shape: body.shape, material, world_from_body, body_from_world, position }
+    parts.push(PlacedPart { shape: body.shape, material, world_from_body, body_from_world, position });
+    Placed { form: body.form(), material, parts }
 }
 
 fn rgb(color: Color) -> DVec3 {

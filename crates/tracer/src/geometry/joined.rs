@@ -1,0 +1,266 @@
+//! Bodies joined of simple ones: unions, intersections and differences.
+//!
+//! Every part stays convex, so that a line lies in it along one [`ShapeSpan`](crate::shape::ShapeSpan), and the whole is
+//! a boolean function of the bits that tell which parts a point of the line lies in (Roth 1982, Ray Casting for Modeling
+//! Solids). A ray remembers the part that it starts from and the side of that part's surface, as for any other body.
+
+use std::ops::Range;
+
+use catoptric_scene::{Form, Shape};
+use smallvec::SmallVec;
+
+use crate::geometry::body::RenderBody;
+use crate::geometry::bounds::Bounds;
+use crate::geometry::ray::{NO_BODY, RayOrigin};
+use crate::simd::{MOST_LANES, Mask as _, Width, Word as _};
+
+/// How parts are joined, in postfix order.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct JoinTree {
+    steps: Vec<JoinStep>,
+    /// Number of parts.
+    pub(crate) parts: u32,
+    /// A bit for each part: whether the whole lies outside of it, as it does of what is cut away.
+    inverted: u64,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum JoinStep {
+    /// Whether a point lies in the next part.
+    Part,
+    /// In nothing.
+    Nothing,
+    /// The last two in one.
+    Union,
+    Intersection,
+    Difference,
+}
+
+impl JoinTree {
+    /// Of a union, an intersection or a difference; the parts are in the order of [`Form::each_simple`], at most
+    /// [`Shape::MAX_PARTS`].
+    pub(crate) fn of(form: &Form<'_>) -> Self {
+        let mut tree = Self::default();
+        tree.add(form, false);
+        tree
+    }
+
+    fn add(&mut self, form: &Form<'_>, is_inverted: bool) {
+        let step = match form.shape {
+            Shape::Union | Shape::Group => JoinStep::Union,
+            Shape::Intersection => JoinStep::Intersection,
+            Shape::Difference => JoinStep::Difference,
+            _ => {
+                self.inverted |= u64::from(is_inverted).checked_shl(self.parts).unwrap_or_default();
+                self.parts += 1;
+                return self.steps.push(JoinStep::Part);
+            }
+        };
+        if form.parts.is_empty() {
+            self.steps.push(JoinStep::Nothing);
+        }
+        for (number, part) in form.parts.iter().enumerate() {
+            self.add(&part.form(), is_inverted ^ (step == JoinStep::Difference && number > 0));
+            if number > 0 {
+                self.steps.push(step);
+            }
+        }
+    }
+
+    /// Whether the whole lies outside of a part.
+    pub(crate) fn is_inverted(&self, part: u32) -> bool {
+        self.inverted.checked_shr(part).unwrap_or_default() & 1 == 1
+    }
+
+    /// Whether a point lies in the whole that lies in the parts of these bits.
+    pub(crate) fn holds(&self, parts: u64) -> bool {
+        // A stack of bits.
+        let (mut stack, mut left) = (0_u64, parts);
+        for step in &self.steps {
+            let top = stack & 1;
+            stack = match step {
+                JoinStep::Part => {
+                    let part = left & 1;
+                    left >>= 1;
+                    stack << 1 | part
+                }
+                JoinStep::Nothing => stack << 1,
+                JoinStep::Union => stack >> 1 | top,
+                JoinStep::Intersection => stack >> 1 & (!1 | top),
+                JoinStep::Difference => stack >> 1 & !top,
+            };
+        }
+        stack & 1 == 1
+    }
+
+    /// The value of the whole from values of its parts.
+    fn evaluate<T: Copy>(
+        &self,
+        nothing: T,
+        mut part: impl FnMut(u32) -> T,
+        join: impl Fn(JoinStep, T, T) -> T,
+    ) -> T {
+        let mut stack: SmallVec<[T; 8]> = SmallVec::new();
+        let mut parts = 0..;
+        for step in &self.steps {
+            let value = match step {
+                JoinStep::Part => parts.next().map_or(nothing, &mut part),
+                JoinStep::Nothing => nothing,
+                JoinStep::Union | JoinStep::Intersection | JoinStep::Difference => {
+                    let last = stack.pop().unwrap_or(nothing);
+                    join(*step, stack.pop().unwrap_or(nothing), last)
+                }
+            };
+            stack.push(value);
+        }
+        stack.pop().unwrap_or(nothing)
+    }
+
+    /// The lines, a bit for each, that may come through the whole: `met` tells those that come through a part.
+    pub(crate) fn possible(&self, met: impl Fn(u32) -> u32) -> u32 {
+        self.evaluate(0, met, |step, a, b| match step {
+            JoinStep::Union => a | b,
+            JoinStep::Intersection => a & b,
+            // How much is cut away is not known yet.
+            _ => a,
+        })
+    }
+
+    /// A box around the whole, given boxes around the parts.
+    pub(crate) fn bounds(&self, part: impl FnMut(u32) -> Bounds) -> Bounds {
+        self.evaluate(Bounds::EMPTY, part, |step, a, b| match step {
+            JoinStep::Union if a.is_empty() => b,
+            JoinStep::Union if b.is_empty() => a,
+            JoinStep::Union => a.union(b),
+            JoinStep::Intersection => a.common(b),
+            _ => a,
+        })
+    }
+}
+
+/// A body that is joined of others.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct JoinedBody {
+    /// The place of its first part in the scene's bodies.
+    pub(crate) first: u32,
+    pub(crate) tree: JoinTree,
+}
+
+/// A part of a joined body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct JoinedPart {
+    /// The place of the whole in the scene's bodies.
+    pub(crate) whole: u32,
+    /// Whether the whole lies outside of the part.
+    pub(crate) is_inverted: bool,
+}
+
+impl JoinedBody {
+    /// The places of its parts in the scene's bodies.
+    pub(crate) fn parts(&self) -> Range<u32> {
+        self.first..self.first + self.tree.parts
+    }
+}
+
+/// The joined bodies of a scene.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct JoinedBodies {
+    /// A [`RenderBody`] that is joined has its place here as its parameter.
+    pub(crate) bodies: Vec<JoinedBody>,
+    /// All parts, which are the last of the scene's bodies.
+    pub(crate) parts: Vec<JoinedPart>,
+    /// The place of the first part among the bodies.
+    pub(crate) first_part: u32,
+}
+
+impl JoinedBodies {
+    /// The joined ones of these bodies, whose trees these are in the order of their numbers; the parts of all, in that
+    /// order, begin at `first_part`.
+    pub(crate) fn new(bodies: &[RenderBody], first_part: u32, trees: impl Iterator<Item = JoinTree>) -> Self {
+        let mut first = first_part;
+        let joined: Vec<JoinedBody> = trees
+            .map(|tree| {
+                let body = JoinedBody { first, tree };
+                first = body.parts().end;
+                body
+            })
+            .collect();
+        let mut wholes = vec![NO_BODY; joined.len()];
+        for (body, index) in bodies.iter().zip(0..first_part).filter(|(body, _)| body.is_joined()) {
+            if let Some(whole) = wholes.get_mut(body.joined_number()) {
+                *whole = index;
+            }
+        }
+        let parts = joined.iter().zip(wholes).flat_map(|(body, whole)| {
+            (0..body.tree.parts)
+                .map(move |part| JoinedPart { whole, is_inverted: body.tree.is_inverted(part) })
+        });
+        Self { parts: parts.collect(), bodies: joined, first_part }
+    }
+
+    /// Those among some of `bodies`, which are in this order; the places of their parts are added to that.
+    pub(crate) fn only(&self, bodies: &[RenderBody], order: &mut Vec<u32>) -> Self {
+        let first_part = order.len() as u32;
+        let mut wholes: Vec<(usize, u32)> = order
+            .iter()
+            .zip(0..)
+            .filter_map(|(&index, place)| {
+                let body = bodies.get(index as usize)?;
+                body.is_joined().then(|| (body.joined_number(), place))
+            })
+            .collect();
+        wholes.sort_unstable();
+        // Numbers stay: what is left out has no parts.
+        let mut kept = Self { bodies: Vec::new(), parts: Vec::new(), first_part };
+        for (number, body) in self.bodies.iter().enumerate() {
+            let first = order.len() as u32;
+            match wholes.binary_search_by_key(&number, |whole| whole.0) {
+                Ok(at) => {
+                    let whole = wholes[at].1;
+                    order.extend(body.parts());
+                    kept.parts.extend(
+                        (0..body.tree.parts)
+                            .map(|part| JoinedPart { whole, is_inverted: body.tree.is_inverted(part) }),
+                    );
+                    kept.bodies.push(JoinedBody { first, tree: body.tree.clone() });
+                }
+                Err(_) => kept.bodies.push(JoinedBody { first, tree: JoinTree::default() }),
+            }
+        }
+        kept
+    }
+
+    /// The whole that body `index` is a part of, or the body itself, and whether `inwards` of the part is into the whole.
+    pub(crate) fn whole_of(&self, index: u32, inwards: bool) -> RayOrigin {
+        match self.part(index) {
+            Some(part) => RayOrigin { body: part.whole, inwards: inwards ^ part.is_inverted },
+            None => RayOrigin { body: index, inwards },
+        }
+    }
+
+    /// What the body at this place is a part of, if it is.
+    fn part(&self, index: u32) -> Option<&JoinedPart> {
+        self.parts.get(index.checked_sub(self.first_part)? as usize)
+    }
+
+    /// The rays within bodies, given those within the surfaces that they met; or the other way round.
+    #[inline(always)]
+    pub(crate) fn turned<W: Width>(&self, w: W, bodies: W::W, within: W::M) -> W::M {
+        if self.parts.is_empty() { within } else { self.turned_at_parts(w, bodies, within) }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn turned_at_parts<W: Width>(&self, w: W, bodies: W::W, within: W::M) -> W::M {
+        let mut indices = [0; MOST_LANES];
+        bodies.store(&mut indices);
+        let inverted = indices.iter().take(W::LANES).zip(0..).fold(0, |bits, (&index, lane)| {
+            let is_inverted = self.part(index).is_some_and(|part| part.is_inverted);
+            bits | u32::from(is_inverted) << lane
+        });
+        w.mask(within.bits() ^ inverted)
+    }
+}
+
+#[cfg(test)]
+mod tests;

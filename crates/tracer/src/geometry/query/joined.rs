@@ -1,0 +1,351 @@
+//! Where rays cross the surface of a joined body, one crossing after the other.
+//!
+//! Crossings of parts that coincide within rounding count as one: what is cut away to a common face leaves no film, and
+//! parts that touch have no seam between them. A ray that starts on the surface knows on which side of it it is; of parts
+//! whose surfaces run through its start within rounding, that decides.
+
+use std::cmp::Ordering;
+
+use smallvec::SmallVec;
+
+use crate::geometry::Geometry;
+use crate::geometry::joined::{JoinTree, JoinedBody};
+use crate::geometry::query::closest::GRAZING;
+use crate::geometry::query::{JoinedHits, RayQuery};
+use crate::geometry::ray::{POINT_ROUNDING, RayOrigin, RayPacket, error_bound_at};
+use crate::geometry::shape::ShapeSpan;
+use crate::simd::scalar::ScalarWidth;
+use crate::simd::vector::Vector;
+use crate::simd::{Float32 as _, MOST_LANES, Mask as _, Width, Word as _};
+
+/// Where a ray crosses the surface of a joined body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct JoinedCrossing {
+    pub(crate) t: f32,
+    /// The place in [`Geometry::bodies`] of the part that makes the surface there.
+    pub(crate) part: u32,
+    /// The face of the part's [`ShapeSpan`].
+    pub(crate) face: f32,
+    /// Whether the ray enters the whole, whatever it does to the part.
+    pub(crate) enters: bool,
+}
+
+/// Where a ray crosses the surface of a part.
+#[derive(Clone, Copy, Debug)]
+struct PartCrossing {
+    t: f32,
+    /// Number of the part.
+    part: u32,
+    face: f32,
+    enters: bool,
+}
+
+/// A ray on its way through a joined body.
+pub(crate) struct JoinedWalk<'g> {
+    geometry: &'g Geometry,
+    body: &'g JoinedBody,
+    ray: RayPacket<ScalarWidth>,
+    origin_error_bound: f32,
+    /// Those ahead, in order.
+    crossings: SmallVec<[PartCrossing; 16]>,
+    /// How many of them are behind.
+    passed: usize,
+    /// The parts that the ray is in, and whether it is in the whole.
+    parts: u64,
+    is_inside: bool,
+}
+
+/// Spans of a part along rays side by side.
+struct SpanRows {
+    enter: [f32; MOST_LANES],
+    exit: [f32; MOST_LANES],
+    enter_face: [f32; MOST_LANES],
+    exit_face: [f32; MOST_LANES],
+    hit: u32,
+}
+
+impl SpanRows {
+    #[inline(always)]
+    fn of<W: Width>(span: &ShapeSpan<W::R>) -> Self {
+        let mut rows = Self {
+            enter: [0.0; MOST_LANES],
+            exit: [0.0; MOST_LANES],
+            enter_face: [0.0; MOST_LANES],
+            exit_face: [0.0; MOST_LANES],
+            hit: span.hit.bits(),
+        };
+        span.enter.store(&mut rows.enter);
+        span.exit.store(&mut rows.exit);
+        span.enter_face.store(&mut rows.enter_face);
+        span.exit_face.store(&mut rows.exit_face);
+        rows
+    }
+
+    fn lane(&self, lane: usize) -> ShapeSpan<f32> {
+        ShapeSpan {
+            enter: self.enter[lane],
+            exit: self.exit[lane],
+            enter_face: self.enter_face[lane],
+            exit_face: self.exit_face[lane],
+            hit: self.hit >> lane & 1 == 1,
+        }
+    }
+}
+
+impl<W: Width> RayQuery<'_, W> {
+    /// Shows `take` each of the rays `lanes` that may come through the joined body at this place.
+    pub(crate) fn each_walk(&self, index: u32, lanes: W::M, mut take: impl FnMut(usize, JoinedWalk<'_>)) {
+        let Some(body) = self.geometry.joined(index) else { return };
+        let spans = self.spans_of_parts(body);
+        let mut starts = [0; MOST_LANES];
+        self.start.store(&mut starts);
+        let starts = starts.map(RayOrigin::of_word);
+        let met = |part: u32| {
+            let on_it = starts.iter().take(W::LANES).zip(0..).fold(0, |bits, (start, lane)| {
+                bits | u32::from(start.body == body.first + part && start.inwards) << lane
+            });
+            spans.get(part as usize).map_or(0, |span| span.hit) | on_it
+        };
+        let mut left = lanes.bits() & body.tree.possible(met);
+        let rays = PacketRows::of(self);
+        let is_within = if self.geometry.body(index).is_transparent() && self.geometry.has_transparency {
+            Some(self.membership.of(index))
+        } else {
+            None
+        };
+        while left != 0 {
+            let lane = left.trailing_zeros() as usize % MOST_LANES;
+            left &= left - 1;
+            let ray = rays.lane(lane, starts[lane].word());
+            let spans: SmallVec<[ShapeSpan<f32>; 8]> = spans.iter().map(|span| span.lane(lane)).collect();
+            let known = is_within.map(|within| within >> lane & 1 == 1);
+            take(lane, JoinedWalk::new(self.geometry, body, ray, &spans, known));
+        }
+    }
+
+    /// Where rays first cross the surface of the joined body at this place.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn first_of_joined(&self, index: u32, lanes: W::M) -> JoinedHits<W> {
+        let [mut ts, mut faces] = [[0.0; MOST_LANES]; 2];
+        let mut parts = [0; MOST_LANES];
+        let [mut entering, mut leaving] = [0; 2];
+        self.each_walk(index, lanes, |lane, mut walk| {
+            if let Some(JoinedCrossing { t, part, face, enters }) = walk.next() {
+                (ts[lane], parts[lane], faces[lane]) = (t, part, face);
+                *(if enters { &mut entering } else { &mut leaving }) |= 1 << lane;
+            }
+        });
+        JoinedHits {
+            t: self.w.load(&ts),
+            part: self.w.load_words(&parts),
+            face: self.w.load(&faces),
+            entering: self.w.mask(entering),
+            leaving: self.w.mask(leaving),
+        }
+    }
+
+    #[inline(never)]
+    fn spans_of_parts(&self, body: &JoinedBody) -> SmallVec<[SpanRows; 4]> {
+        let mut spans = SmallVec::new();
+        let spans_of = &mut spans;
+        self.w.run(
+            #[inline(always)]
+            move || {
+                for part in body.parts() {
+                    let body = (part, self.geometry.body(part));
+                    let span = self.geometry.span(self.w, body, self.origin, self.direction);
+                    spans_of.push(SpanRows::of::<W>(&span));
+                }
+            },
+        );
+        spans
+    }
+}
+
+/// The components of rays side by side.
+struct PacketRows([[f32; MOST_LANES]; 6]);
+
+impl PacketRows {
+    fn of<W: Width>(query: &RayQuery<'_, W>) -> Self {
+        let mut rows = [[0.0; MOST_LANES]; 6];
+        let (o, d) = (query.origin, query.direction);
+        for (row, numbers) in rows.iter_mut().zip([o.x, o.y, o.z, d.x, d.y, d.z]) {
+            numbers.store(row);
+        }
+        Self(rows)
+    }
+
+    fn lane(&self, lane: usize, start: u32) -> RayPacket<ScalarWidth> {
+        let [x, y, z, along_x, along_y, along_z] = self.0.map(|row| row[lane]);
+        RayPacket { origin: Vector::new(x, y, z), direction: Vector::new(along_x, along_y, along_z), start }
+    }
+}
+
+impl<'g> JoinedWalk<'g> {
+    /// `spans` are those of the parts; `known` tells whether the ray starts inside, if that is known.
+    fn new(
+        geometry: &'g Geometry,
+        body: &'g JoinedBody,
+        ray: RayPacket<ScalarWidth>,
+        spans: &[ShapeSpan<f32>],
+        known: Option<bool>,
+    ) -> Self {
+        let mut walk = Self {
+            geometry,
+            body,
+            ray,
+            origin_error_bound: error_bound_at(ray.origin),
+            crossings: SmallVec::new(),
+            passed: 0,
+            parts: 0,
+            is_inside: false,
+        };
+        let start = RayOrigin::of_word(ray.start);
+        let own = body.parts().contains(&start.body).then(|| start.body - body.first);
+        let known = match own {
+            Some(part) => Some(start.inwards ^ body.tree.is_inverted(part)),
+            None => known,
+        };
+        // Crossings at the start itself, within rounding.
+        let mut at_start: SmallVec<[PartCrossing; 4]> = SmallVec::new();
+        for (part, span) in (0..).zip(spans) {
+            let enter = PartCrossing { t: span.enter, part, face: span.enter_face, enters: true };
+            let exit = PartCrossing { t: span.exit, part, face: span.exit_face, enters: false };
+            if own == Some(part) {
+                // It is met once more from within, and never from outside.
+                if start.inwards {
+                    walk.parts |= 1 << part;
+                    walk.crossings.push(PartCrossing { t: exit.t.max(0.0), ..exit });
+                }
+                continue;
+            }
+            if !span.hit {
+                continue;
+            }
+            for crossing in [enter, exit] {
+                if walk.is_at_start(&crossing) {
+                    at_start.push(crossing);
+                } else if crossing.t > 0.0 {
+                    walk.crossings.push(crossing);
+                } else {
+                    walk.parts ^= 1 << part;
+                }
+            }
+        }
+        walk.settle_start(&at_start, known, own.is_some());
+        walk.crossings.sort_unstable_by(in_order);
+        walk
+    }
+
+    /// Whether the ray is in the whole where it is.
+    pub(crate) fn is_inside(&self) -> bool {
+        self.is_inside
+    }
+
+    /// Decides which of the crossings at the ray's start are behind it and which ahead.
+    ///
+    /// From a surface of the body all are behind, else those that lead out of it: a ray that starts outside, where other
+    /// bodies touch this one, meets it at once. If the ray is not on the side that it is known to be on then, it is the
+    /// other way round.
+    fn settle_start(&mut self, at_start: &[PartCrossing], known: Option<bool>, is_own: bool) {
+        let tree = &self.body.tree;
+        let is_behind = |crossing: &PartCrossing| is_own || !enters_whole(tree, crossing);
+        let parts_if = |is_turned: bool| {
+            let behind = at_start.iter().filter(|crossing| is_behind(crossing) ^ is_turned);
+            behind.fold(self.parts, |parts, crossing| parts ^ 1 << crossing.part)
+        };
+        let is_right = |parts: u64| known.is_none_or(|known| tree.holds(parts) == known);
+        let is_turned = !at_start.is_empty() && !is_right(parts_if(false)) && is_right(parts_if(true));
+        self.parts = parts_if(is_turned);
+        self.is_inside = known.unwrap_or_else(|| tree.holds(self.parts));
+        let ahead = at_start.iter().filter(|crossing| !(is_behind(crossing) ^ is_turned));
+        self.crossings.extend(ahead.map(|crossing| PartCrossing { t: 0.0, ..*crossing }));
+    }
+
+    /// Whether a crossing may lie at the start but for rounding, measured across the surface.
+    fn is_at_start(&self, crossing: &PartCrossing) -> bool {
+        let bound = self.origin_error_bound + self.error_bound(crossing.part);
+        let distance = crossing.t.abs();
+        distance <= bound * GRAZING && distance * self.cosine(crossing) <= bound
+    }
+
+    /// The next crossing of the surface of the whole.
+    pub(crate) fn next(&mut self) -> Option<JoinedCrossing> {
+        loop {
+            let first = *self.crossings.get(self.passed)?;
+            let end = self.end_of_coincident(first);
+            let group = self.crossings.get(self.passed..end).unwrap_or_default();
+            let tree = &self.body.tree;
+            let flip = |parts: u64, crossing: &PartCrossing| parts ^ 1 << crossing.part;
+            let parts = group.iter().fold(self.parts, flip);
+            let is_inside = tree.holds(parts);
+            if is_inside == self.is_inside {
+                (self.parts, self.passed) = (parts, end);
+                continue;
+            }
+            let mut surface = first;
+            if group.len() > 1 {
+                // Those that lead the other way change nothing, since the whole grows with each part or shrinks with it;
+                // of the others, in the order of the parts, the one makes the surface with which the ray is through.
+                let leads_there = |crossing: &&PartCrossing| enters_whole(tree, crossing) == is_inside;
+                let mut at = group.iter().filter(|crossing| !leads_there(crossing)).fold(self.parts, flip);
+                let mut leading: SmallVec<[PartCrossing; 8]> =
+                    group.iter().filter(leads_there).copied().collect();
+                leading.sort_unstable_by_key(|crossing| crossing.part);
+                for crossing in leading {
+                    at = flip(at, &crossing);
+                    if tree.holds(at) == is_inside {
+                        surface = crossing;
+                        break;
+                    }
+                }
+            }
+            (self.parts, self.passed, self.is_inside) = (parts, end, is_inside);
+            let part = self.body.first + surface.part;
+            return Some(JoinedCrossing { t: surface.t, part, face: surface.face, enters: is_inside });
+        }
+    }
+
+    /// Where those end that coincide with the next one.
+    fn end_of_coincident(&self, first: PartCrossing) -> usize {
+        let mut end = self.passed + 1;
+        let mut own_cosine = None;
+        while let Some(other) = self.crossings.get(end) {
+            let larger = self.error_bound(first.part).max(self.error_bound(other.part));
+            let bound = self.origin_error_bound + first.t * POINT_ROUNDING + larger;
+            let apart = other.t - first.t;
+            if apart > bound * GRAZING {
+                break;
+            }
+            let own = *own_cosine.get_or_insert_with(|| self.cosine(&first));
+            if apart * own.max(self.cosine(other)) > bound {
+                break;
+            }
+            end += 1;
+        }
+        end
+    }
+
+    fn error_bound(&self, part: u32) -> f32 {
+        self.geometry.body(self.body.first + part).error_bound
+    }
+
+    /// |cos| of the angle between the ray and the normal.
+    fn cosine(&self, crossing: &PartCrossing) -> f32 {
+        let RayPacket { origin, direction, .. } = self.ray;
+        let part = self.body.first + crossing.part;
+        let [enter, exit] = self.geometry.span_and_cosines(ScalarWidth, part, origin, direction).1;
+        if crossing.enters { enter } else { exit }
+    }
+}
+
+/// Whether a ray that crosses a part's surface so can only come into the whole by it, not out of it.
+fn enters_whole(tree: &JoinTree, crossing: &PartCrossing) -> bool {
+    crossing.enters ^ tree.is_inverted(crossing.part)
+}
+
+/// The nearer first; of equal ones those that lead in, so that no part is left before it is entered.
+fn in_order(a: &PartCrossing, b: &PartCrossing) -> Ordering {
+    a.t.total_cmp(&b.t).then(b.enters.cmp(&a.enters)).then(a.part.cmp(&b.part))
+}
