@@ -3,6 +3,7 @@
 mod add;
 mod flags;
 mod fragment;
+mod join;
 mod list;
 mod material;
 mod outcome;
@@ -114,6 +115,16 @@ pub enum Action {
     DropToGround,
     /// Takes turns and scales of the selected bodies back; their places stay.
     ResetPlacement,
+    /// Makes one body of the selected ones, which become its parts; the first chosen is what others are cut from,
+    /// and gives its material to the whole.
+    Join {
+        /// The shape of the whole, one that has parts.
+        shape: ShapeKind,
+        /// What to call it, made unique by a number; the shape's key when empty.
+        name: String,
+    },
+    /// Makes bodies of the parts of the selected bodies.
+    TakeApart,
     /// Deletes the named materials that no body uses.
     RemoveUnusedMaterials,
     /// Takes the last step back.
@@ -131,6 +142,15 @@ pub enum ActionError {
     /// All that is selected is locked.
     #[error("everything selected is locked")]
     Locked,
+    /// Only one body is selected, but it takes more.
+    #[error("select two or more bodies")]
+    OneBody,
+    /// A part is turned within a whole that is stretched.
+    #[error("the part {name} is sheared, which a body cannot be")]
+    Sheared {
+        /// The name that the body would have.
+        name: String,
+    },
     /// The action would change nothing.
     #[error("there is nothing to do")]
     NothingToDo,
@@ -188,6 +208,11 @@ impl Action {
         "edit-make-material-unique",
         "edit-drop-to-ground",
         "edit-reset-placement",
+        "edit-join-union",
+        "edit-join-intersection",
+        "edit-join-difference",
+        "edit-join-group",
+        "edit-take-apart",
         "edit-remove-unused-materials",
         "edit-undo",
         "edit-redo",
@@ -198,13 +223,17 @@ impl Action {
     /// too, for menus.
     pub const fn key(&self) -> &'static str {
         match self {
-            Self::AddBody { shape, .. } => match shape {
+            Self::AddBody { shape, .. } | Self::Join { shape, .. } => match shape {
                 ShapeKind::Sphere => "edit-add-sphere",
                 ShapeKind::Cube => "edit-add-cube",
                 ShapeKind::Cylinder => "edit-add-cylinder",
                 ShapeKind::Cone => "edit-add-cone",
                 ShapeKind::Paraboloid => "edit-add-paraboloid",
                 ShapeKind::Plane => "edit-add-plane",
+                ShapeKind::Union => "edit-join-union",
+                ShapeKind::Intersection => "edit-join-intersection",
+                ShapeKind::Difference => "edit-join-difference",
+                ShapeKind::Group => "edit-join-group",
             },
             Self::AddLight { .. } => "edit-add-light",
             Self::AddMaterial { .. } => "edit-add-material",
@@ -234,6 +263,7 @@ impl Action {
             Self::MakeMaterialUnique => "edit-make-material-unique",
             Self::DropToGround => "edit-drop-to-ground",
             Self::ResetPlacement => "edit-reset-placement",
+            Self::TakeApart => "edit-take-apart",
             Self::RemoveUnusedMaterials => "edit-remove-unused-materials",
             Self::Undo => "edit-undo",
             Self::Redo => "edit-redo",
@@ -255,6 +285,8 @@ impl Action {
     /// Whether an act on the scene has something to do.
     fn check(&self, scene: &EditedScene, selection: &Selection) -> Result<(), ActionError> {
         match self {
+            // A body of parts is joined of others.
+            Self::AddBody { shape, .. } if shape.is_compound() => Err(ActionError::NothingToDo),
             Self::AddBody { .. } | Self::AddLight { .. } | Self::AddMaterial { .. } => Ok(()),
             Self::Duplicate => list::check_duplicate(scene, selection).map(drop),
             Self::Delete | Self::Cut => list::check_delete(scene, selection).map(drop),
@@ -279,6 +311,8 @@ impl Action {
             Self::MakeMaterialUnique => material::check_make_unique(scene, selection),
             Self::DropToGround => place::check_drop(scene, selection),
             Self::ResetPlacement => place::check_reset(scene, selection),
+            Self::Join { shape, .. } => join::check_join(scene, selection, *shape).map(drop),
+            Self::TakeApart => join::check_take_apart(scene, selection).map(drop),
             Self::RemoveUnusedMaterials => material::check_unused(scene.scene()).map(drop),
             Self::SelectAll
             | Self::SelectNone
@@ -298,6 +332,7 @@ impl Action {
         folder: Option<&Path>,
     ) -> Result<ActionOutcome, ActionError> {
         match self {
+            Self::AddBody { shape, .. } if shape.is_compound() => Err(ActionError::NothingToDo),
             Self::AddBody { shape, placement, name } => Ok(add::body(scene, *shape, placement, name.trim())),
             Self::AddLight { at, name } => Ok(add::light(scene, *at, name.trim())),
             Self::AddMaterial { name } => Ok(add::named_material(scene, name.trim())),
@@ -319,6 +354,8 @@ impl Action {
             Self::MakeMaterialUnique => material::make_unique(scene, selection),
             Self::DropToGround => place::drop_to_ground(scene, selection),
             Self::ResetPlacement => place::reset(scene, selection),
+            Self::Join { shape, name } => join::join(scene, selection, *shape, name.trim()),
+            Self::TakeApart => join::take_apart(scene, selection),
             Self::RemoveUnusedMaterials => material::remove_unused(scene, selection),
             Self::SelectAll
             | Self::SelectNone

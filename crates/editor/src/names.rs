@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use catoptric_scene::{Body, List, Scene};
+use catoptric_scene::{Body, List, MaterialChoice, Scene};
 
 /// The names that are in use.
 pub(crate) struct UsedNames {
@@ -38,9 +38,9 @@ impl UsedNames {
     }
 }
 
-/// The names of the materials that bodies are made of.
+/// The names of the materials that bodies and their parts are made of.
 pub(crate) fn used_materials(bodies: &List<Body>) -> HashSet<&str> {
-    bodies.iter().filter_map(|body| body.material.name()).collect()
+    bodies.iter().flat_map(Body::materials).filter_map(MaterialChoice::name).collect()
 }
 
 /// A name without the number that was added to make it unique: `ball` of `ball 2`.

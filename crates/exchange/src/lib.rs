@@ -11,7 +11,6 @@ mod minirt;
 mod nff;
 mod options;
 mod phrase;
-mod placement;
 mod scene_text;
 
 use std::path::Path;

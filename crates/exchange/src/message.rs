@@ -354,6 +354,9 @@ catoptric_scene::messages! {
     LosesTexture { title: Title }:
         "{title}: the format has no textures",
         "{title}: в формате нет текстур";
+    LosesParts { title: Title }:
+        "{title}: the format has no bodies of parts",
+        "{title}: тел из частей в формате нет";
     LosesShape { title: Title }:
         "{title}: the format does not have its shape",
         "{title}: такой формы в формате нет";

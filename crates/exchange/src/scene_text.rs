@@ -94,6 +94,10 @@ impl SceneText {
         let mut bodies = Vec::new();
         for (index, body) in scene.bodies.iter().enumerate().filter(|(_, body)| !body.hidden) {
             let title = Title::Body(index + 1, body.name.clone());
+            if body.shape.is_compound() {
+                self.lose(Message::LosesParts { title });
+                continue;
+            }
             match phong(scene, &body.material) {
                 Some(material) => {
                     if material.pattern.texture.is_some() {

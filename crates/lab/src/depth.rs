@@ -29,35 +29,39 @@ impl DepthBound {
     ///
     /// The weights of a generation sum to at most k times those of the one before, and the rest of the series
     /// kᴳ + kᴳ⁺¹ + … = kᴳ/(1 − k) is what G generations leave out (Whitted's tree; the series of two mirrors).
-    /// Bodies are convex: seen from outside, no ray meets the same one twice in a row, so that two opaque mirrors bring
-    /// k₁·k₂ in two generations. Within a body (the eye in a hollow mirror) it is k₁ each time. A surface of a
+    /// Simple bodies are convex: seen from outside, no ray meets the same one twice in a row, so that two opaque mirrors
+    /// bring k₁·k₂ in two generations. Within a body (the eye in a hollow mirror) it is k₁ each time. A surface of a
     /// transparent body brings k_r + k_t·τ, or 1 at total internal reflection.
     pub fn of(scene: &Scene, render_scene: &RenderScene) -> Self {
         let mut opaque: Vec<(f64, usize)> = Vec::new();
         let mut clear: Option<(f64, usize)> = None;
         for (place, body) in scene.bodies.iter().enumerate().filter(|(_, body)| !body.hidden) {
-            let Some(material) = scene.material(&body.material) else { continue };
-            let (reflection, passes) = (material.reflects().most, material.lets_through().most);
-            if passes > 0.0 {
-                let factor = match material {
-                    // What is not reflected passes.
-                    Material::Dielectric(_) => 1.0,
-                    _ if material.ior() == Some(1.0) => reflection + passes,
-                    _ => (reflection + passes).max(1.0),
-                };
-                if clear.is_none_or(|(most, _)| factor > most) {
-                    clear = Some((factor, place));
+            for material in body.materials().filter_map(|choice| scene.material(choice)) {
+                let (reflection, passes) = (material.reflects().most, material.lets_through().most);
+                if passes > 0.0 {
+                    let factor = match material {
+                        // What is not reflected passes.
+                        Material::Dielectric(_) => 1.0,
+                        _ if material.ior() == Some(1.0) => reflection + passes,
+                        _ => (reflection + passes).max(1.0),
+                    };
+                    if clear.is_none_or(|(most, _)| factor > most) {
+                        clear = Some((factor, place));
+                    }
+                } else if reflection > 0.0 {
+                    // A ray may go from one part of a body to another.
+                    let count = if body.shape.is_compound() { 2 } else { 1 };
+                    opaque.extend([(reflection, place)].repeat(count));
+                    opaque.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+                    opaque.truncate(2);
                 }
-            } else if reflection > 0.0 {
-                opaque.push((reflection, place));
-                opaque.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
-                opaque.truncate(2);
             }
         }
         let is_within = starts_within(scene, render_scene);
         let (first, second) = (opaque.first().copied(), opaque.get(1).copied());
         let (mirrors, pair) = match (first, second) {
             (Some((k, body)), _) if is_within || clear.is_some() => ([k, k], vec![body]),
+            (Some((k, body)), Some((other, beside))) if body == beside => ([k, other], vec![body]),
             (Some((k, body)), Some((other, beside))) => ([k, other], vec![body, beside]),
             (Some((k, body)), None) => ([k, 0.0], vec![body]),
             (None, _) => ([0.0, 0.0], Vec::new()),
@@ -223,13 +227,14 @@ pub enum ExcessKind {
 /// makes it 1), the share 2·k_s/(n + 2).
 pub fn excesses(scene: &Scene) -> Vec<Excess> {
     let named = scene.materials.iter().map(|named| (&named.material, Some(named.name.clone()), None));
-    let own =
-        scene.bodies.iter().enumerate().filter_map(|(place, body): (usize, &Body)| match &body.material {
+    let own = scene.bodies.iter().enumerate().flat_map(|(place, body)| {
+        body.materials().filter_map(move |choice| match choice {
             MaterialChoice::Inline(material) => {
                 Some((&**material, (!body.name.is_empty()).then(|| body.name.clone()), Some(place)))
             }
             MaterialChoice::Named(_) => None,
-        });
+        })
+    });
     let mut seen: Vec<&Material> = Vec::new();
     let mut found = Vec::new();
     for (material, name, body) in named.chain(own) {
@@ -238,7 +243,8 @@ pub fn excesses(scene: &Scene) -> Vec<Excess> {
             continue;
         }
         seen.push(material);
-        let of_name = || scene.bodies.iter().position(|body| body.material.name() == name.as_deref());
+        let uses = |body: &Body| name.as_deref().is_some_and(|name| body.uses_material(name));
+        let of_name = || scene.bodies.iter().position(uses);
         let body = body.or_else(of_name);
         found.extend(excesses.map(|(kind, amount)| Excess { name: name.clone(), body, kind, amount }));
     }

@@ -269,6 +269,9 @@ impl<'a> ExactSetup<'a> {
                 keep(&mut setting.objects, place, &mut setting.is_cut);
             }
             let is_lens = is_clear && material.ior().is_some_and(|ior| ior > 1.0);
+            if is_meant && is_lens && body.shape.is_compound() {
+                others.push(Inapplicable::OfParts { body: index });
+            }
             if is_meant && is_lens && matches!(body.shape, Shape::Sphere { .. }) {
                 keep(&mut setting.lenses, place, &mut setting.is_cut);
             }
@@ -332,6 +335,13 @@ fn radius(body: &Body) -> Option<f64> {
 /// How far a body reaches at most from its middle, meters.
 fn extent(body: &Body) -> f64 {
     let shape = body.sized_shape();
+    if shape.is_compound() {
+        let middle = body.middle();
+        let corners = body.box_corners();
+        return corners.map_or(f64::INFINITY, |corners| {
+            corners.iter().map(|corner| corner.distance(middle)).fold(0.0, f64::max)
+        });
+    }
     let own = shape
         .ball(DVec3::ONE)
         .map_or(f64::INFINITY, |(center, radius)| center.distance(shape.middle()) + radius);

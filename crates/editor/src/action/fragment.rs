@@ -93,9 +93,11 @@ pub(crate) fn paste(
         }
     }
     for body in &mut pasted.bodies {
-        if let Some(to) = body.material.name().and_then(|name| renamed.get(name)) {
-            body.material = MaterialChoice::Named(to.clone());
-        }
+        body.each_material_mut(&mut |choice| {
+            if let Some(to) = choice.name().and_then(|name| renamed.get(name)) {
+                *choice = MaterialChoice::Named(to.clone());
+            }
+        });
     }
     pasted.materials = added;
     if pasted.bodies.is_empty() && pasted.lights.is_empty() && pasted.materials.is_empty() {

@@ -65,10 +65,15 @@ pub(super) fn delete_parts(
     let lost: HashSet<&str> = materials.map(|part| part.name(scene)).collect();
     left.edit(|left| {
         for (index, body) in scene.bodies.iter().enumerate() {
-            if body.material.name().is_some_and(|name| lost.contains(name))
+            let is_lost = |choice: &MaterialChoice| choice.name().is_some_and(|name| lost.contains(name));
+            if body.materials().any(is_lost)
                 && let Some(left) = left.bodies.get_mut(index)
             {
-                left.material = own(scene, &body.material);
+                left.each_material_mut(&mut |choice| {
+                    if is_lost(choice) {
+                        *choice = own(scene, choice);
+                    }
+                });
             }
         }
     });

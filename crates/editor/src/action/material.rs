@@ -56,7 +56,7 @@ pub(super) fn share(scene: &EditedScene, selection: &Selection) -> Result {
 }
 
 fn is_named(body: &Body) -> bool {
-    body.material.name().is_some()
+    body.materials().any(|choice| choice.name().is_some())
 }
 
 pub(super) fn check_make_unique(scene: &EditedScene, selection: &Selection) -> Result<()> {
@@ -64,7 +64,9 @@ pub(super) fn check_make_unique(scene: &EditedScene, selection: &Selection) -> R
 }
 
 pub(super) fn make_unique(scene: &EditedScene, selection: &Selection) -> Result {
-    edit_bodies(scene, selection, is_named, |body| body.material = own(scene.scene(), &body.material))
+    edit_bodies(scene, selection, is_named, |body| {
+        body.each_material_mut(&mut |choice| *choice = own(scene.scene(), choice));
+    })
 }
 
 /// The places of the materials that no body uses.
@@ -104,9 +106,17 @@ pub(super) fn rename(scene: &EditedScene, selection: &Selection, item: Item, nam
     let old = part.name(scene.scene());
     let mut outcome = ActionOutcome::edited(scene, selection, &[part], |scene| match part {
         ScenePart::Material(index) => {
-            let old = MaterialChoice::Named(old.to_owned());
-            for body in scene.bodies.iter_mut().filter(|body| body.material == old) {
-                body.material = MaterialChoice::Named(name.clone());
+            let places: Vec<usize> = (0..scene.bodies.len())
+                .filter(|place| scene.bodies.get(*place).is_some_and(|body| body.uses_material(old)))
+                .collect();
+            for place in places {
+                if let Some(body) = scene.bodies.get_mut(place) {
+                    body.each_material_mut(&mut |choice| {
+                        if choice.name() == Some(old) {
+                            *choice = MaterialChoice::Named(name.clone());
+                        }
+                    });
+                }
             }
             if let Some(named) = scene.materials.get_mut(index) {
                 named.name.clone_from(&name);

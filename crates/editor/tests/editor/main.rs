@@ -10,5 +10,6 @@ mod document;
 mod history;
 mod identity;
 mod images;
+mod join;
 mod materials;
 mod monkey;

@@ -86,11 +86,11 @@ impl Chance {
 
     fn action(&mut self, editor: &Editor) -> Action {
         let scene = editor.scene();
-        match self.below(36) {
+        match self.below(40) {
             0 | 1 => {
                 let placement =
                     NewBodyPlacement { size: self.number(), ..NewBodyPlacement::at(self.vector()) };
-                Action::AddBody { shape: ShapeKind::ALL[self.below(5)], placement, name: self.name() }
+                Action::AddBody { shape: ShapeKind::SIMPLE[self.below(5)], placement, name: self.name() }
             }
             2 => Action::AddLight { at: self.vector(), name: self.name() },
             3 => Action::AddMaterial { name: self.name() },
@@ -119,7 +119,9 @@ impl Chance {
             29 => Action::DropToGround,
             30 => Action::ResetPlacement,
             31 => Action::RemoveUnusedMaterials,
-            32..=34 => Action::Undo,
+            32 | 33 => Action::Join { shape: ShapeKind::ALL[self.below(10)], name: self.name() },
+            34 => Action::TakeApart,
+            35..=38 => Action::Undo,
             _ => Action::Redo,
         }
     }

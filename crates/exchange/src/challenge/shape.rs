@@ -3,8 +3,8 @@
 use std::ops::Range;
 use std::rc::Rc;
 
-use catoptric_scene::{Anchor, Body, Material, MaterialChoice, Placement, Shape};
-use glam::{DAffine3, DQuat, DVec3};
+use catoptric_scene::{Body, Material, MaterialChoice, Placement, Shape};
+use glam::{DAffine3, DVec3};
 
 use crate::challenge::material::default_material;
 use crate::challenge::pattern::Surface;
@@ -12,7 +12,6 @@ use crate::challenge::read::ChallengeReader;
 use crate::challenge::table::Table;
 use crate::challenge::yaml::Node;
 use crate::message::Message;
-use crate::placement::{Symmetry, degrees, placement};
 
 /// The book's axes are left-handed: z into the picture. Ours have it out of it.
 pub(super) const MIRROR: DVec3 = DVec3::new(1.0, 1.0, -1.0);
@@ -118,7 +117,7 @@ impl ChallengeReader {
             return;
         }
         let is_plane = solid.shape == Shape::Plane;
-        let Some(placement) = placed(world_from_shape, solid.shape) else {
+        let Some(placement) = solid.shape.placed(world_from_shape) else {
             self.draft.unsupported(span, Message::Sheared { name: name.to_owned() }, Message::LeftOut);
             return;
         };
@@ -135,30 +134,6 @@ impl ChallengeReader {
         let material = MaterialChoice::Inline(Box::new(material));
         self.draft.body(Body { shape, placement, material, ..Body::default() }, span);
     }
-}
-
-/// Where a shape stands.
-fn placed(world_from_shape: DAffine3, shape: Shape) -> Option<Placement> {
-    let symmetry = match shape {
-        Shape::Sphere { .. } => Symmetry::All,
-        Shape::Cylinder { .. } | Shape::Cone { .. } | Shape::Paraboloid { .. } => Symmetry::AboutY,
-        Shape::Cube { .. } => Symmetry::None,
-        Shape::Plane => {
-            let found = placement(world_from_shape, Symmetry::None);
-            return found
-                .or_else(|| plane(world_from_shape))
-                .map(|found| Placement { scale: DVec3::ONE, ..found });
-        }
-    };
-    placement(world_from_shape, symmetry)
-}
-
-/// Where the plane y = 0 of a sheared frame stands.
-fn plane(world_from_shape: DAffine3) -> Option<Placement> {
-    let normal = (world_from_shape.matrix3.inverse().transpose() * DVec3::Y).try_normalize()?;
-    let rotation_degrees = degrees(DQuat::from_rotation_arc(DVec3::Y, normal));
-    let anchor = Anchor::Frame { position: world_from_shape.translation, rotation_degrees };
-    Some(Placement { anchor, scale: DVec3::ONE })
 }
 
 /// Moves the scale of a body's placement into the sizes of its shape, as far as they can express it.

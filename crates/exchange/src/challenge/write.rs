@@ -1,6 +1,6 @@
 //! Writing scenes of the book.
 
-use catoptric_scene::{Body, Camera, Checker, CheckerSpace, Color, Phong, Scene, Shape};
+use catoptric_scene::{Body, Camera, Checker, CheckerSpace, Color, Phong, Scene, Shape, rotation_degrees};
 use glam::{DMat3, DQuat, DVec3};
 
 use crate::camera::horizontal_from_vertical;
@@ -8,7 +8,6 @@ use crate::challenge::shape::MIRROR;
 use crate::message::Message;
 use crate::options::DEFAULT_SIZE;
 use crate::phrase::Title;
-use crate::placement::degrees;
 use crate::scene_text::{ExportOptions, SceneText, components, decimal, three, times};
 
 /// Writes a scene.
@@ -93,7 +92,11 @@ impl BookShape {
                 let scale = DVec3::new(wide, height / (ends[1] - ends[0]), wide);
                 Self { name: "cone", ends: Some(ends.map(|end| end + 0.0)), shift: -ends[0], scale }
             }
-            Shape::Paraboloid { .. } => return None,
+            Shape::Paraboloid { .. }
+            | Shape::Union
+            | Shape::Intersection
+            | Shape::Difference
+            | Shape::Group => return None,
         })
     }
 }
@@ -141,7 +144,7 @@ fn object(title: &Title, body: &Body, material: &Phong, ambient_share: f64, out:
 
 /// Turns about the book's X, then Y, then Z axis, radians.
 fn book_turn(rotation: DMat3) -> DVec3 {
-    let own = degrees(DQuat::from_mat3(&rotation).normalize());
+    let own = rotation_degrees(DQuat::from_mat3(&rotation).normalize());
     DVec3::new(-own.x, -own.y, own.z).map(f64::to_radians)
 }
 

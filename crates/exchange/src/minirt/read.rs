@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use catoptric_scene::{
     Anchor, Body, Camera, Color, Diagnostic, Diagnostics, Light, MaterialChoice, Placement, Projection,
-    Severity, Shape, nearest,
+    Severity, Shape, nearest, rotation_degrees,
 };
 use glam::{DQuat, DVec3};
 
@@ -16,7 +16,6 @@ use crate::minirt::arguments::{Arguments, Spanned, out_of_range};
 use crate::minirt::property::Finish;
 use crate::options::{DEFAULT_SIZE, ImportOptions, ImportedScene};
 use crate::phrase::Argument;
-use crate::placement::degrees;
 
 /// A square is a cuboid of this thickness, as a share of its side.
 pub(super) const SQUARE_THICKNESS: f64 = 1e-6;
@@ -419,7 +418,7 @@ fn look(draft: &mut Draft, span: &Range<usize>, view: &View) {
 
 /// A frame at `origin` whose +Y is turned to `normal` along the shortest arc.
 fn turned(origin: DVec3, normal: DVec3) -> Placement {
-    let rotation_degrees = degrees(DQuat::from_rotation_arc(DVec3::Y, normal));
+    let rotation_degrees = rotation_degrees(DQuat::from_rotation_arc(DVec3::Y, normal));
     Placement { anchor: Anchor::Frame { position: origin, rotation_degrees }, scale: DVec3::ONE }
 }
 

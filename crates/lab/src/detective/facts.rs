@@ -30,20 +30,21 @@ impl SceneFacts {
             facts.has_cylinders |= body.shape.kind() == ShapeKind::Cylinder;
             facts.has_cones |=
                 body.shape.kind() == ShapeKind::Cone && matches!(body.placement.anchor, Anchor::Axis { .. });
-            let Some(material) = scene.material(&body.material) else { continue };
-            facts.has_patterns |= material
-                .pattern()
-                .is_some_and(|pattern| pattern.checker.is_some() || pattern.texture.is_some());
-            match material {
-                Material::Phong(phong) => {
-                    facts.has_highlights |= phong.specular > 0.0;
-                    facts.reflects |= phong.reflection() > 0.0;
-                    facts.transmits |= phong.transmission > 0.0;
-                }
-                Material::Matte(_) => {}
-                _ => {
-                    facts.reflects = true;
-                    facts.transmits = true;
+            for material in body.materials().filter_map(|choice| scene.material(choice)) {
+                facts.has_patterns |= material
+                    .pattern()
+                    .is_some_and(|pattern| pattern.checker.is_some() || pattern.texture.is_some());
+                match material {
+                    Material::Phong(phong) => {
+                        facts.has_highlights |= phong.specular > 0.0;
+                        facts.reflects |= phong.reflection() > 0.0;
+                        facts.transmits |= phong.transmission > 0.0;
+                    }
+                    Material::Matte(_) => {}
+                    _ => {
+                        facts.reflects = true;
+                        facts.transmits = true;
+                    }
                 }
             }
         }

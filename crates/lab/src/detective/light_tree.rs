@@ -89,6 +89,8 @@ impl LightTrees {
         let body = record.hit.map(|hit| hit.body);
         let phong = body
             .and_then(|body| scene.bodies.get(body))
+            // Parts may have materials of their own.
+            .filter(|body| !body.shape.is_compound())
             .and_then(|body| scene.material(&body.material))
             .and_then(Material::as_phong);
         let surface = match (&record.answer, phong) {

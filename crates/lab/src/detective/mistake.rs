@@ -98,9 +98,11 @@ fn move_cylinders(scene: &mut Scene, part: f64) {
 fn each_material(scene: &mut Scene, change: impl Fn(&mut Material)) {
     scene.materials.iter_mut().for_each(|named| change(&mut named.material));
     for body in &mut scene.bodies {
-        if let catoptric_scene::MaterialChoice::Inline(material) = &mut body.material {
-            change(material);
-        }
+        body.each_material_mut(&mut |choice| {
+            if let catoptric_scene::MaterialChoice::Inline(material) = choice {
+                change(material);
+            }
+        });
     }
 }
 

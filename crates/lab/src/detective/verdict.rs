@@ -184,6 +184,10 @@ fn body_in_words(body: usize, scene: &Scene, language: Language) -> String {
         (Language::Russian, ShapeKind::Cone) => "конус",
         (Language::Russian, ShapeKind::Paraboloid) => "параболоид",
         (Language::Russian, ShapeKind::Plane) => "плоскость",
+        (Language::Russian, ShapeKind::Union) => "объединение",
+        (Language::Russian, ShapeKind::Intersection) => "пересечение",
+        (Language::Russian, ShapeKind::Difference) => "разность",
+        (Language::Russian, ShapeKind::Group) => "группа",
     };
     format!("{shape} {}", body + 1)
 }

@@ -18,6 +18,11 @@ pub enum Inapplicable {
         /// The mirror.
         mirror: usize,
     },
+    /// A body of parts, which mirrors or bends light in a way that no formula here knows.
+    OfParts {
+        /// The body.
+        body: usize,
+    },
     /// A body in the focus of a spherical mirror, or so near that rays from it are mirrored parallel.
     ObjectInFocus {
         /// The mirror.
@@ -65,7 +70,8 @@ impl Inapplicable {
             Self::RoughMirror { mirror }
             | Self::CurvedMirror { mirror }
             | Self::ObjectInFocus { mirror, .. } => mirror,
-            Self::RoughLens { body }
+            Self::OfParts { body }
+            | Self::RoughLens { body }
             | Self::UnevenLens { body }
             | Self::SharedLens { body, .. }
             | Self::WeakLens { body }
@@ -87,6 +93,7 @@ impl Inapplicable {
         match self {
             Self::RoughMirror { .. } => "rough-mirror",
             Self::CurvedMirror { .. } => "curved-mirror",
+            Self::OfParts { .. } => "of-parts",
             Self::ObjectInFocus { .. } => "object-in-focus",
             Self::RoughLens { .. } => "rough-lens",
             Self::UnevenLens { .. } => "uneven-lens",
@@ -100,6 +107,9 @@ impl Inapplicable {
     pub(super) fn of_mirror(index: usize, body: &Body, material: &Material) -> Option<Self> {
         if material.is_rough() {
             return Some(Self::RoughMirror { mirror: index });
+        }
+        if body.shape.is_compound() {
+            return Some(Self::OfParts { body: index });
         }
         let is_solvable = match body.shape {
             Shape::Plane | Shape::Cube { .. } => true,
@@ -136,13 +146,17 @@ impl Inapplicable {
 const CONTACT: f64 = 1e-6;
 
 /// The least distance of a point from a body, meters; 0 or less within it. Of a body that stands on an axis it is that
-/// from the cylinder around it, and of an uneven sphere that from the box around it.
+/// from the cylinder around it, and of an uneven sphere or a body of parts that from the box around it.
 fn distance_from(body: &Body, point: DVec3) -> f64 {
     let frame = body.placement.world_from_body();
     let scale = body.placement.scale.abs();
     let local = body.placement.rotation().transpose() * (point - frame.translation);
-    let Some([_, max]) = body.sized_shape().extent() else { return local.y };
     let beyond = |offset: DVec3, half: DVec3| (offset.abs() - half).max(DVec3::ZERO).length();
+    if body.shape.is_compound() {
+        let Some([min, max]) = body.form().extent() else { return 0.0 };
+        return beyond(local - 0.5 * (min + max) * scale, 0.5 * (max - min) * scale);
+    }
+    let Some([_, max]) = body.sized_shape().extent() else { return local.y };
     let along = |radius: f64, height: f64| {
         let half = 0.5 * height * scale.y;
         let height = (local.y - half).abs() - half;

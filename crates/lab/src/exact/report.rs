@@ -73,6 +73,9 @@ fn inapplicable(names: &ExactAnswers, reason: Inapplicable) -> String {
         Inapplicable::CurvedMirror { .. } => {
             format!("The mirror {body} is neither flat nor a ball: the mirror equation does not apply.")
         }
+        Inapplicable::OfParts { .. } => {
+            format!("The body {body} is joined of parts: no formula here knows where it sends light.")
+        }
         Inapplicable::ObjectInFocus { .. } => {
             format!("{other} stands in the focus of the mirror {body}: its image is infinitely far away.")
         }
