@@ -7,8 +7,8 @@ use std::fmt::Write as _;
 
 use anyhow::{Context as _, Result, bail, ensure};
 use catoptric_scene::{
-    Body, Camera, Checker, CheckerSpace, Color, Falloff, Light, Material, Phong, Projection, Scene, Shape,
-    Surroundings,
+    BodyPart, Camera, Checker, CheckerSpace, Color, Falloff, Form, Light, Material, MaterialChoice, Phong,
+    Placement, Projection, Scene, Shape, Surroundings,
 };
 use glam::DVec3;
 
@@ -42,9 +42,8 @@ pub(crate) fn source(scene: &Scene) -> Result<String> {
         writeln!(text, "{}", light(lamp))?;
     }
     for body in scene.bodies.iter().filter(|body| !body.hidden) {
-        let material = scene.material(&body.material).context("a material that the scene has not")?;
-        let surface = surface(material).with_context(|| format!("the body {:?}", body.name))?;
-        writeln!(text, "{} {} {surface} }}", shape(body), matrix(body))?;
+        let object = object(scene, &body.form(), &body.material, false);
+        writeln!(text, "{}", object.with_context(|| format!("the body {:?}", body.name))?)?;
     }
     Ok(text)
 }
@@ -86,10 +85,35 @@ fn light(light: &Light) -> String {
     format!("light_source {{ {} {color}{} }}", mirrored(light.position), fade.unwrap_or_default())
 }
 
-/// The beginning of a body: its shape in its own frame.
-fn shape(body: &Body) -> String {
-    let height = body.height().unwrap_or_default();
-    match body.shape {
+/// A body or a part of one; `is_within` if it is a part of a union, an intersection or a difference. What is within a
+/// transparent one belongs to the whole of it.
+fn object(scene: &Scene, form: &Form<'_>, choice: &MaterialChoice, is_within: bool) -> Result<String> {
+    let material = scene.material(choice).context("a material that the scene has not")?;
+    let (texture, interior) = surface(material)?;
+    let interior = if is_within { "" } else { interior.as_str() };
+    let is_clear = material.lets_through().most > 0.0;
+    let (word, is_joined) = match form.shape {
+        // Surfaces within a transparent body vanish.
+        Shape::Union | Shape::Group if is_clear && (is_within || form.shape == Shape::Union) => {
+            ("merge", true)
+        }
+        Shape::Union => ("union", true),
+        Shape::Group => ("union", is_within),
+        Shape::Intersection => ("intersection", true),
+        Shape::Difference => ("difference", true),
+        _ => return Ok(format!("{} {} {texture}{interior} }}", shape(form), matrix(&form.placement))),
+    };
+    let part =
+        |part: &BodyPart| object(scene, &part.form(), part.material.as_ref().unwrap_or(choice), is_joined);
+    let parts: Vec<String> = form.parts.iter().map(part).collect::<Result<_>>()?;
+    let interior = if is_joined { interior } else { "" };
+    Ok(format!("{word} {{ {} {}{interior} }}", parts.join(" "), matrix(&form.placement)))
+}
+
+/// The beginning of a simple shape in its own frame.
+fn shape(form: &Form<'_>) -> String {
+    let height = form.sized_shape().height().unwrap_or_default();
+    match form.shape {
         Shape::Sphere { radius } => format!("sphere {{ 0, {radius}"),
         Shape::Cube { size } => format!("box {{ {}, {}", vector(size / -2.0), vector(size / 2.0)),
         Shape::Cylinder { radius, .. } => format!("cylinder {{ 0, <0,{height},0>, {radius}"),
@@ -104,20 +128,21 @@ fn shape(body: &Body) -> String {
             )
         }
         Shape::Plane => "plane { y, 0".to_owned(),
+        Shape::Union | Shape::Intersection | Shape::Difference | Shape::Group => String::new(),
     }
 }
 
 /// The way from the body's frame to the world: the images of the three axes and of the origin, mirrored before and
 /// after.
-fn matrix(body: &Body) -> String {
-    let world_from_body = body.placement.world_from_body();
+fn matrix(placement: &Placement) -> String {
+    let world_from_body = placement.world_from_body();
     let [x, y, z] = [DVec3::X, DVec3::Y, DVec3::NEG_Z].map(|axis| world_from_body.transform_vector3(axis));
     let rows = [x, y, z, world_from_body.translation].map(|row| numbers(row * MIRROR));
     format!("matrix <{}>", rows.join(","))
 }
 
-/// Pigment, finish and, if anything goes through, the inside.
-fn surface(material: &Material) -> Result<String> {
+/// Pigment and finish, and if anything goes through, the inside.
+fn surface(material: &Material) -> Result<(String, String)> {
     let model = material.model().key();
     let phong = material.as_phong();
     let phong = phong.with_context(|| format!("POV-Ray is asked for Phong's model only, not for {model}"))?;
@@ -141,11 +166,12 @@ fn surface(material: &Material) -> Result<String> {
         None => main,
     };
     let interior = if transmission > 0.0 { format!(" interior {{ ior {ior} }}") } else { String::new() };
-    Ok(format!(
+    let texture = format!(
         "pigment {{ {pigment} }} finish {{ ambient {ambient} diffuse {diffuse} phong {specular} \
-         phong_size {shininess} reflection {{ rgb {} }} }}{interior}",
+         phong_size {shininess} reflection {{ rgb {} }} }}",
         phong.reflection()
-    ))
+    );
+    Ok((texture, interior))
 }
 
 /// A color, and how much light it lets through: `rgbt` leaves that light as it is, `rgbf` gives it the color.
@@ -188,7 +214,7 @@ mod tests {
     use std::path::PathBuf;
 
     use catoptric_picture::{Difference, read};
-    use catoptric_scene::MaterialChoice;
+    use catoptric_scene::Body;
     use catoptric_store::load;
 
     use super::*;
@@ -253,10 +279,36 @@ mod tests {
     }
 
     #[test]
+    fn bodies_of_parts_are_those_of_povray() {
+        let part = |shape| BodyPart { shape, ..BodyPart::default() };
+        let inner = BodyPart { parts: vec![part(Shape::CUBE), part(Shape::Plane)], ..part(Shape::Group) };
+        let parts = vec![part(Shape::SPHERE), inner];
+        let glass = Phong { transmission: 0.9, ior: 1.5, ..Phong::default() };
+        let words = |shape, material: Phong| {
+            let body = Body {
+                shape,
+                parts: parts.clone(),
+                material: MaterialChoice::own(material),
+                ..Body::default()
+            };
+            let said = source(&Scene { bodies: vec![body].into(), ..Scene::default() }).unwrap();
+            let said = said.lines().last().unwrap().to_owned();
+            let known = ["union", "merge", "intersection", "difference", "sphere", "box", "plane", "ior"];
+            tokens(&said).into_iter().filter(|word| known.contains(word)).collect::<Vec<_>>().join(" ")
+        };
+        assert_eq!(words(Shape::Difference, Phong::default()), "difference sphere union box plane");
+        assert_eq!(words(Shape::Intersection, glass.clone()), "intersection sphere merge box plane ior");
+        assert_eq!(words(Shape::Union, glass.clone()), "merge sphere merge box plane ior");
+        assert_eq!(words(Shape::Group, glass), "union sphere ior union box ior plane ior");
+    }
+
+    #[test]
     fn what_povray_cannot_say_is_refused() {
         let red = Color::new(1.0, 0.0, 0.0);
         let glass = Phong { transmission: 0.75, diffuse: 0.2, ambient: 0.0, ..Phong::default() };
-        let surface = |phong: &Phong| surface(&phong.clone().into());
+        let surface = |phong: &Phong| {
+            surface(&phong.clone().into()).map(|(texture, interior)| format!("{texture}{interior}"))
+        };
         let said = surface(&glass).unwrap();
         assert!(said.contains("rgbt <0.8,0.8,0.8,0.75>") && said.contains("diffuse 0.8 "), "{said}");
         let said = surface(&Phong { pattern: red.into(), tint: red, ..glass.clone() }).unwrap();

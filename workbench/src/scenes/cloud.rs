@@ -51,7 +51,7 @@ mod tests {
             Shape::Cylinder { radius, height } | Shape::Cone { radius, height, .. } => {
                 (height, height / radius)
             }
-            Shape::Paraboloid { .. } | Shape::Plane => (0.0, 0.0),
+            _ => (0.0, 0.0),
         };
         (body.shape.kind(), size, ratio)
     }

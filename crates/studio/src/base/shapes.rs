@@ -11,6 +11,10 @@ pub(crate) const fn shape_name(shape: ShapeKind) -> &'static str {
         ShapeKind::Cone => "name-cone",
         ShapeKind::Paraboloid => "name-paraboloid",
         ShapeKind::Plane => "name-plane",
+        ShapeKind::Union => "name-union",
+        ShapeKind::Intersection => "name-intersection",
+        ShapeKind::Difference => "name-difference",
+        ShapeKind::Group => "name-group",
     }
 }
 
@@ -23,5 +27,9 @@ pub(crate) const fn shape_choice(shape: ShapeKind) -> &'static str {
         ShapeKind::Cone => "shape-cone",
         ShapeKind::Paraboloid => "shape-paraboloid",
         ShapeKind::Plane => "shape-plane",
+        ShapeKind::Union => "shape-union",
+        ShapeKind::Intersection => "shape-intersection",
+        ShapeKind::Difference => "shape-difference",
+        ShapeKind::Group => "shape-group",
     }
 }

@@ -18,6 +18,7 @@ mod image;
 mod kinds;
 mod light;
 mod material;
+mod parts;
 mod pattern;
 mod physical;
 mod place;

@@ -18,7 +18,7 @@ use egui_material_icons::{MaterialIcon, icons};
 use crate::base::shapes::shape_name;
 use crate::base::texts::Texts;
 use crate::base::widgets::filter::filter_field;
-use crate::state::command::{AddCommand, Command};
+use crate::state::command::{AddCommand, Command, join};
 use crate::state::context::Cx;
 use rows::{OutlinerRow, OutlinerRows};
 
@@ -260,7 +260,8 @@ pub(crate) fn item_icon(edited: &EditedScene, item: Item) -> MaterialIcon {
         Item::Material(_) => icons::ICON_PALETTE,
         Item::Body(_) => {
             let shape = body_of(edited, item).map_or(ShapeKind::Sphere, |body| body.shape.kind());
-            let command = Command::Add(AddCommand::Body(shape));
+            let command =
+                if shape.is_compound() { Command::Edit(join(shape)) } else { AddCommand::Body(shape).into() };
             command.look().map_or(icons::ICON_CIRCLE, |look| look.icon)
         }
     }

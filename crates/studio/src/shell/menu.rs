@@ -20,7 +20,7 @@ use crate::shell::menu_focus::MenuFocus;
 use crate::shell::studio::Studio;
 use crate::state::command::{
     AddCommand, AuditCommand, CameraCommand, Command, CompareCommand, DisplayCommand, FileCommand,
-    HelpCommand, MeasureCommand, PictureCommand, SelectionCommand, Tool, ToolCommand, WindowCommand,
+    HelpCommand, JOINS, MeasureCommand, PictureCommand, SelectionCommand, Tool, ToolCommand, WindowCommand,
     ZoomStep,
 };
 use crate::state::layout::Pane;
@@ -226,11 +226,14 @@ fn edit() -> Vec<MenuItem> {
     entries.push(MenuItem::Line);
     entries.extend(commands_of([edit(Action::MoveUp), edit(Action::MoveDown)]));
     entries.extend(commands_of([edit(Action::DropToGround), edit(Action::ResetPlacement)]));
+    entries.push(MenuItem::Line);
+    entries.push(MenuItem::Sub("menu-join", icons::ICON_JOIN_FULL, join_ui));
+    entries.extend(commands_of([edit(Action::TakeApart)]));
     entries
 }
 
 fn add() -> Vec<MenuItem> {
-    let mut entries: Vec<MenuItem> = commands_of(ShapeKind::ALL.map(AddCommand::Body)).collect();
+    let mut entries: Vec<MenuItem> = commands_of(ShapeKind::SIMPLE.map(AddCommand::Body)).collect();
     entries.push(MenuItem::Line);
     entries.extend(commands_of([AddCommand::Light, AddCommand::Material]));
     entries
@@ -314,6 +317,10 @@ fn material_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
         commands,
         [ShareMaterial, MakeMaterialUnique, RemoveUnusedMaterials].map(Command::Edit),
     );
+}
+
+fn join_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
+    do_ui(ui, studio, commands, JOINS.map(Command::Edit));
 }
 
 fn sides_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {

@@ -194,13 +194,23 @@ fn rename(studio: &mut Studio) {
 }
 
 /// Does an action; a notice gives the reason if it cannot be done.
-fn apply(studio: &mut Studio, action: Action) {
+fn apply(studio: &mut Studio, mut action: Action) {
+    if let Action::Join { shape, name } = &mut action
+        && name.is_empty()
+    {
+        studio.texts.get(shape_name(*shape)).clone_into(name);
+    }
     let is_of_material = matches!(action, Action::AssignMaterial(_));
     let Err(error) = studio.editor.apply(action) else { return };
     let key = match &error {
         ActionError::NothingSelected if is_of_material => "refused-no-body-selected",
         ActionError::NothingSelected => "refused-nothing-selected",
         ActionError::Locked => "refused-locked",
+        ActionError::OneBody => "refused-one-body",
+        ActionError::Sheared { name } => {
+            studio.toasts.warning(studio.texts.with("refused-sheared", &[("name", name.as_str().into())]));
+            return;
+        }
         ActionError::NothingToDo => return,
         ActionError::NoSuchItem => "refused-no-such-item",
         ActionError::EmptyName => "refused-empty-name",

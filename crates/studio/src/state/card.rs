@@ -116,7 +116,11 @@ pub(crate) fn why(texts: &Texts, error: &GpuError) -> String {
         GpuError::Lost(_) | GpuError::NoAnswer(_) => "card-is-lost",
         GpuError::OutOfMemory(_) | GpuError::TooLarge { .. } => "card-has-no-memory",
         GpuError::Unsupported(UnsupportedOnGpu::LongTree) => "card-has-too-many-rays",
-        GpuError::Unsupported(_) => "card-has-too-many-media",
+        GpuError::Unsupported(UnsupportedOnGpu::DoublePrecision) => "card-has-no-doubles",
+        GpuError::Unsupported(UnsupportedOnGpu::JoinedBodies) => "card-has-no-joined-bodies",
+        GpuError::Unsupported(UnsupportedOnGpu::EyeMedia(_) | UnsupportedOnGpu::NestedMedia) => {
+            "card-has-too-many-media"
+        }
         other => return other.to_string(),
     };
     texts.get(key).to_owned()

@@ -18,6 +18,19 @@ use crate::base::theme::Theme;
 use crate::state::images::ImageUse;
 use crate::state::layout::Pane;
 
+/// The acts that make one body of the selected ones.
+pub(crate) const JOINS: [Action; 4] = [
+    join(ShapeKind::Union),
+    join(ShapeKind::Intersection),
+    join(ShapeKind::Difference),
+    join(ShapeKind::Group),
+];
+
+/// Joins the selected bodies; the whole is named when it is done.
+pub(crate) const fn join(shape: ShapeKind) -> Action {
+    Action::Join { shape, name: String::new() }
+}
+
 /// A discrete act. Acts of one area stand in a sum of their own; each sum converts into a command.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Command {

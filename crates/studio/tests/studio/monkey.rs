@@ -328,7 +328,7 @@ impl Monkey {
             0 => {
                 let placement =
                     NewBodyPlacement { size: self.dice.number(), ..NewBodyPlacement::at(self.dice.vector()) };
-                Action::AddBody { shape: *self.dice.one(&ShapeKind::ALL), placement, name }
+                Action::AddBody { shape: *self.dice.one(&ShapeKind::SIMPLE), placement, name }
             }
             1 => Action::AddLight { at: self.dice.vector(), name },
             2 => Action::AddMaterial { name },
@@ -350,6 +350,8 @@ impl Monkey {
             18 => Action::Redo,
             19 => Action::ShowAll,
             20 => Action::UnlockAll,
+            21 => Action::Join { shape: *self.dice.one(&ShapeKind::ALL), name },
+            22 => Action::TakeApart,
             _ => Action::Undo,
         }
     }

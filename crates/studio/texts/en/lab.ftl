@@ -47,6 +47,7 @@ depth-body = “{ $name }”
 exact-none = No mirror, glass or highlight has an exact answer for this body.
 exact-rough-mirror = { $body } is rough: a rough mirror has no image points.
 exact-curved-mirror = { $body } is neither flat nor a ball: the mirror equation does not apply.
+exact-of-parts = { $body } is joined of parts: no formula here knows where it sends light.
 exact-object-in-focus = { $other } stands in the focus of { $body }: its image is infinitely far away.
 exact-rough-lens = { $body } is rough: it has no focal point.
 exact-uneven-lens = { $body } is not scaled evenly: the formula of a ball does not apply.

@@ -29,6 +29,10 @@ name-cylinder = Cylinder
 name-cone = Cone
 name-paraboloid = Paraboloid
 name-plane = Plane
+name-union = Union
+name-intersection = Intersection
+name-difference = Difference
+name-group = Group
 name-light = Light
 name-material = Material
 

@@ -4,6 +4,7 @@ viewport-picture-selected = The traced picture. Selected: { $names }
 viewport-first-picture = Tracing the first picture…
 viewport-error-material = “{ $body }” is to be made of “{ $material }”, but the scene has no such material.
 viewport-error-bodies = { $count } bodies are too many to trace.
+viewport-error-parts = The body { $body } has { $count } parts: too many to join.
 viewport-error-size = This panel is too large to trace a picture for it.
 viewport-error-camera = The camera cannot look: its position, target, up direction or angle is not a number.
 viewport-error-fault = The tracer has failed by a fault of its own: { $fault }

@@ -29,6 +29,10 @@ name-cylinder = Цилиндр
 name-cone = Конус
 name-paraboloid = Параболоид
 name-plane = Плоскость
+name-union = Объединение
+name-intersection = Пересечение
+name-difference = Разность
+name-group = Группа
 name-light = Свет
 name-material = Материал
 

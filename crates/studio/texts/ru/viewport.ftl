@@ -4,6 +4,7 @@ viewport-picture-selected = Рассчитанное изображение. В�
 viewport-first-picture = Рассчитывается первое изображение…
 viewport-error-material = Тело «{ $body }» должно быть из материала «{ $material }», но такого материала в сцене нет.
 viewport-error-bodies = Тел слишком много для расчёта: { $count }.
+viewport-error-parts = У тела { $body } слишком много частей: { $count }.
 viewport-error-size = Панель слишком велика, чтобы рассчитать для неё изображение.
 viewport-error-camera = Камера не может смотреть: её положение, цель, направление «вверх» или угол заданы не числом.
 viewport-error-fault = В трассировщике произошла внутренняя ошибка: { $fault }

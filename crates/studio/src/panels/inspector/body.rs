@@ -7,7 +7,7 @@ use catoptric_scene::{Body, ScenePart, ShapeKind};
 use egui::{Id, Ui};
 
 use super::sheet::{NumberRow, PropertySheet, RowQuantity, SliderRail, Unit, VectorRow, VectorSpread};
-use super::{InspectorState, header, material, place, reshape};
+use super::{InspectorState, header, material, parts, place, reshape};
 use crate::base::shapes::shape_choice;
 use crate::base::widgets::choice::{ChoiceItem, choice_ui};
 use crate::base::widgets::section::section;
@@ -98,15 +98,18 @@ fn shape_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Body>) {
     let kind = sheet.primary.shape.kind();
     let summary = texts.get(shape_choice(kind));
     section(ui, "shape", texts.get("section-shape"), summary, sheet.is_free, |ui| {
-        let choices = ShapeKind::ALL.map(|kind| {
-            let key = shape_choice(kind);
-            ChoiceItem {
-                value: kind,
-                text: texts.get(key),
-                tip: texts.tip(key).unwrap_or_default(),
-                is_enabled: true,
-            }
-        });
+        let kinds = ShapeKind::ALL.into_iter().filter(|other| other.is_compound() == kind.is_compound());
+        let choices: Vec<ChoiceItem<'_, ShapeKind>> = kinds
+            .map(|kind| {
+                let key = shape_choice(kind);
+                ChoiceItem {
+                    value: kind,
+                    text: texts.get(key),
+                    tip: texts.tip(key).unwrap_or_default(),
+                    is_enabled: true,
+                }
+            })
+            .collect();
         let is_mixed = sheet.things.iter().any(|body| body.shape.kind() != kind);
         let chosen = (!is_mixed).then_some(kind);
         let id = sheet.id.with("shape");
@@ -122,5 +125,8 @@ fn shape_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Body>) {
         sheet.number(ui, &TOP_RADIUS, chosen);
         sheet.number(ui, &HEIGHT, chosen);
         sheet.number(ui, &FOCAL_LENGTH, chosen);
+        if sheet.primary.shape.is_compound() && sheet.things.len() == 1 {
+            parts::parts_ui(ui, texts, &sheet.primary.parts);
+        }
     });
 }

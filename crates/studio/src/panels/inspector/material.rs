@@ -211,8 +211,7 @@ fn homes_of(scene: &Scene, bodies: &[usize]) -> Vec<MaterialOwner> {
 }
 
 fn used_by(cx: &Cx<'_>, scene: &Scene, name: &str) -> String {
-    let is_used = |choice: &MaterialChoice| matches!(choice, MaterialChoice::Named(used) if used == name);
-    let count = scene.bodies.iter().filter(|body| is_used(&body.material)).count();
+    let count = scene.bodies.iter().filter(|body| body.uses_material(name)).count();
     cx.texts.with("material-used-by", &[("count", count.into())])
 }
 

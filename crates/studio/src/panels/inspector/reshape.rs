@@ -6,9 +6,14 @@ use glam::{DVec3, EulerRot};
 use crate::base::widgets::number::tidy;
 
 /// Gives a body another shape. Radius and height are carried over where both shapes have them, and stand for each
-/// other where not; the middle of the body stays, and a plane lies where the lowest part of the body was.
+/// other where not; the middle of the body stays, and a plane lies where the lowest part of the body was. A body of
+/// parts keeps them, so that it becomes no simple shape, nor the other way round.
 pub(super) fn reshape(body: &mut Body, kind: ShapeKind) {
-    if body.shape.kind() == kind {
+    if body.shape.kind() == kind || body.shape.is_compound() != kind.is_compound() {
+        return;
+    }
+    if kind.is_compound() {
+        body.shape = kind.shape();
         return;
     }
     to_frame(body);
@@ -90,7 +95,7 @@ fn round_angle(degrees: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use catoptric_scene::{ParaboloidDepth, Placement};
+    use catoptric_scene::{BodyPart, ParaboloidDepth, Placement};
 
     fn cone(anchor: Anchor) -> Body {
         Body {
@@ -176,9 +181,12 @@ mod tests {
     fn every_shape_can_become_every_other() {
         for from in ShapeKind::ALL {
             for to in ShapeKind::ALL {
-                let mut body = Body { shape: from.shape(), ..Body::default() };
+                let parts = if from.is_compound() { vec![BodyPart::default()] } else { Vec::new() };
+                let mut body = Body { shape: from.shape(), parts, ..Body::default() };
                 reshape(&mut body, to);
-                assert_eq!(body.shape.kind(), to);
+                // Parts are joined and taken apart elsewhere.
+                let becomes = if from.is_compound() == to.is_compound() { to } else { from };
+                assert_eq!(body.shape.kind(), becomes);
                 let scene = catoptric_scene::Scene { bodies: [body].into(), ..Default::default() };
                 assert_eq!(scene.check(), []);
             }

@@ -149,8 +149,7 @@ fn tip_ui(response: Response, cx: &Cx<'_>, scene: &Scene, thing: MaterialItem, n
             MaterialItem::Scene(place) => {
                 let Some(named) = scene.materials.get(place) else { return };
                 ui.label(crate::panels::inspector::model_told(cx.texts, named.material.model()));
-                let is_it = |choice: &MaterialChoice| choice.name() == Some(&named.name);
-                let count = scene.bodies.iter().filter(|body| is_it(&body.material)).count();
+                let count = scene.bodies.iter().filter(|body| body.uses_material(&named.name)).count();
                 ui.label(cx.texts.with("material-used-by", &[("count", count.into())]));
                 if excess_of(&named.material).next().is_some() {
                     let color = theme::palette(ui.visuals()).warning;

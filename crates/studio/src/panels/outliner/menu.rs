@@ -6,7 +6,7 @@ use egui::{Popup, Response, Style, Ui};
 
 use super::rows::OutlinerSection;
 use crate::panels::menu_entry::{dress_menu, item};
-use crate::state::command::{AddCommand, CameraCommand, Command, SelectionCommand};
+use crate::state::command::{AddCommand, CameraCommand, Command, JOINS, SelectionCommand};
 use crate::state::context::Cx;
 
 /// The menu of a row, for all that is selected.
@@ -50,6 +50,7 @@ fn groups(thing: Item) -> Vec<Vec<Command>> {
     }
     if matches!(thing, Item::Body(_)) {
         groups.push(vec![edit(Action::DropToGround), edit(Action::ResetPlacement)]);
+        groups.push(JOINS.into_iter().chain([Action::TakeApart]).map(edit).collect());
         groups.push(vec![edit(Action::ShareMaterial), edit(Action::MakeMaterialUnique)]);
     }
     groups
@@ -88,7 +89,7 @@ pub(super) fn rest_menu(response: &Response, cx: &mut Cx<'_>) {
 fn add_ui(ui: &mut Ui, cx: &Cx<'_>, commands: &mut Vec<Command>, has_more: bool) {
     ui.set_min_width(200.0);
     let more = [AddCommand::Light, AddCommand::Material].into_iter().filter(|_| has_more);
-    for command in ShapeKind::ALL.map(AddCommand::Body).into_iter().chain(more).map(Command::from) {
+    for command in ShapeKind::SIMPLE.map(AddCommand::Body).into_iter().chain(more).map(Command::from) {
         if item(ui, cx.situation(), &command) {
             commands.push(command);
         }

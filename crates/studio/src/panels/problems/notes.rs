@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use catoptric_scene::{Diagnostic, Diagnostics, Scene, Severity};
+use catoptric_scene::{Body, Diagnostic, Diagnostics, MaterialChoice, Scene, Severity};
 
 /// For each finding about `text`, whether it is a note, or only says that a material of `scene` is not used.
 pub(super) fn notes(findings: &Diagnostics, text: &str, scene: &Scene) -> Vec<bool> {
@@ -12,7 +12,8 @@ pub(super) fn notes(findings: &Diagnostics, text: &str, scene: &Scene) -> Vec<bo
 }
 
 fn unused_materials(scene: &Scene) -> BTreeSet<&str> {
-    let used: BTreeSet<&str> = scene.bodies.iter().filter_map(|body| body.material.name()).collect();
+    let choices = scene.bodies.iter().flat_map(Body::materials);
+    let used: BTreeSet<&str> = choices.filter_map(MaterialChoice::name).collect();
     scene.materials.iter().map(|named| named.name.as_str()).filter(|name| !used.contains(name)).collect()
 }
 

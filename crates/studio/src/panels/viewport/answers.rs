@@ -105,6 +105,7 @@ impl AnswerPainter<'_> {
         let key = match reason {
             Inapplicable::RoughMirror { .. } => "exact-rough-mirror",
             Inapplicable::CurvedMirror { .. } => "exact-curved-mirror",
+            Inapplicable::OfParts { .. } => "exact-of-parts",
             Inapplicable::ObjectInFocus { .. } => "exact-object-in-focus",
             Inapplicable::RoughLens { .. } => "exact-rough-lens",
             Inapplicable::UnevenLens { .. } => "exact-uneven-lens",

@@ -4,7 +4,7 @@ use catoptric_editor::{Action, Item};
 use egui::Ui;
 
 use crate::panels::menu_entry::item;
-use crate::state::command::{CameraCommand, Command, SelectionCommand};
+use crate::state::command::{CameraCommand, Command, JOINS, SelectionCommand};
 use crate::state::context::Cx;
 
 /// Draws the menu about what is selected.
@@ -31,6 +31,9 @@ pub(crate) fn menu_ui(ui: &mut Ui, cx: &mut Cx<'_>) {
             Command::Edit(Action::MakeMaterialUnique),
         ];
         items(ui, cx, edits);
+        ui.separator();
+        items(ui, cx, JOINS.map(Command::Edit));
+        items(ui, cx, [Command::Edit(Action::TakeApart)]);
         ui.separator();
     }
     items(

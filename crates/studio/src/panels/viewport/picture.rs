@@ -116,6 +116,10 @@ pub(crate) fn why(texts: &Texts, error: &LiveError) -> String {
         LiveError::Stage(SceneBuildError::TooManyBodies(count)) => {
             texts.with("viewport-error-bodies", &[("count", (*count).into())])
         }
+        LiveError::Stage(SceneBuildError::TooManyParts { body, parts }) => {
+            let arguments = [("body", body.as_str().into()), ("count", (*parts).into())];
+            texts.with("viewport-error-parts", &arguments)
+        }
         LiveError::Size(_) | LiveError::TooLarge { .. } => texts.get("viewport-error-size").to_owned(),
         LiveError::Setting(error) => error.to_string(),
         LiveError::TooManyCubeMaps { bodies, size } => {

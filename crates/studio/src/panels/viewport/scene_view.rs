@@ -199,6 +199,7 @@ pub(crate) fn marks(cx: &Cx<'_>) -> Vec<Item> {
     lights.chain(camera).collect()
 }
 
+/// Whether a body has no end.
 fn is_plane(scene: &Scene, index: usize) -> bool {
-    scene.bodies.get(index).is_none_or(|body| matches!(body.shape, catoptric_scene::Shape::Plane))
+    scene.bodies.get(index).is_none_or(|body| body.form().extent().is_none())
 }

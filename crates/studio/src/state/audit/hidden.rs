@@ -94,8 +94,8 @@ impl VisibilityTest<'_> {
     }
 
     fn is_clear(&self, body: usize) -> bool {
-        let body = self.scene.bodies.get(body);
-        let material = body.and_then(|body| self.scene.material(&body.material));
-        material.is_some_and(|material| material.lets_through().most > 0.0)
+        let Some(body) = self.scene.bodies.get(body) else { return false };
+        let mut materials = body.materials().filter_map(|choice| self.scene.material(choice));
+        materials.any(|material| material.lets_through().most > 0.0)
     }
 }

@@ -12,7 +12,7 @@ use egui_material_icons::icons;
 use super::{
     AddCommand, AuditCommand, CameraCommand, Command, CommandGroup, CommandStyle, CompareCommand,
     DisplayCommand, FileCommand, HelpCommand, MeasureCommand, PictureCommand, SelectionCommand, Tool,
-    ToolCommand, WindowCommand, ZoomStep,
+    ToolCommand, WindowCommand, ZoomStep, join,
 };
 use crate::base::texts::Language;
 use crate::base::theme::Theme;
@@ -99,6 +99,11 @@ pub(super) static ROWS: &[CommandRow] = rows! {
         "edit.move-down": Edit(Action::MoveDown) => "command-move-down", ICON_ARROW_DOWNWARD, alt(Key::ArrowDown);
         "edit.drop-to-ground": Edit(Action::DropToGround) => "command-drop-to-ground", ICON_VERTICAL_ALIGN_BOTTOM, plain(Key::End);
         "edit.reset-placement": Edit(Action::ResetPlacement) => "command-reset-placement", ICON_RESTART_ALT;
+        "edit.join-union": Edit(join(ShapeKind::Union)) => "command-join-union", ICON_JOIN_FULL;
+        "edit.join-intersection": Edit(join(ShapeKind::Intersection)) => "command-join-intersection", ICON_JOIN_INNER;
+        "edit.join-difference": Edit(join(ShapeKind::Difference)) => "command-join-difference", ICON_JOIN_LEFT;
+        "edit.join-group": Edit(join(ShapeKind::Group)) => "command-join-group", ICON_GROUP_WORK;
+        "edit.take-apart": Edit(Action::TakeApart) => "command-take-apart", ICON_CALL_SPLIT;
         "edit.share-material": Edit(Action::ShareMaterial) => "command-share-material", ICON_LINK;
         "edit.make-material-unique": Edit(Action::MakeMaterialUnique) => "command-make-material-unique", ICON_LINK_OFF;
         "edit.remove-unused-materials": Edit(Action::RemoveUnusedMaterials) => "command-remove-unused-materials", ICON_CLEANING_SERVICES;
@@ -225,6 +230,7 @@ mod tests {
     use std::collections::{HashMap, HashSet};
 
     use super::*;
+    use crate::state::command::JOINS;
 
     #[test]
     fn no_command_stands_twice_and_no_two_share_a_shortcut() {
@@ -246,7 +252,8 @@ mod tests {
         let all: Vec<&Command> = Command::all().collect();
         let mut expected: Vec<Command> = Vec::new();
         expected.extend(Pane::ALL.map(|pane| WindowCommand::TogglePane(pane).into()));
-        expected.extend(ShapeKind::ALL.map(|shape| AddCommand::Body(shape).into()));
+        expected.extend(ShapeKind::SIMPLE.map(|shape| AddCommand::Body(shape).into()));
+        expected.extend(JOINS.map(Command::Edit));
         expected.extend(ViewSide::ALL.map(|side| CameraCommand::LookAlong(side).into()));
         expected.extend(Language::ALL.map(|language| WindowCommand::Language(language).into()));
         expected.extend(MapKind::ALL.map(|kind| DisplayCommand::Map(Some(kind)).into()));
