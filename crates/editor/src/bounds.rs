@@ -54,7 +54,8 @@ fn reach(body: &Body, direction: DVec3) -> Option<f64> {
     reach_of(&body.form(), direction)
 }
 
-/// The same of a body or a part in the frame around it; of an intersection or a difference a bound.
+/// How far a body or a part reaches along a direction d of the frame around it: the largest d·p of its points p, or for an
+/// intersection or a difference a number that is no smaller. `None` for what has no end.
 ///
 /// With the placement p = M·q + o it is d·o plus the support of its own frame along Mᵀ·d.
 fn reach_of(form: &Form<'_>, direction: DVec3) -> Option<f64> {

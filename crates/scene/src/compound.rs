@@ -107,7 +107,8 @@ impl<'a> Form<'a> {
         Some(if extent[0].cmple(extent[1]).all() { extent } else { [DVec3::ZERO; 2] })
     }
 
-    /// The same in the frame around.
+    /// The least and the greatest coordinates of a box around it in the frame that it is placed in. `None` for what has no
+    /// end.
     fn extent_around(&self) -> Option<[DVec3; 2]> {
         let frame = self.placement.world_from_body();
         if !self.shape.is_compound() {

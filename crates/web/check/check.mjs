@@ -11,7 +11,7 @@ import { promisify } from "node:util";
 import { ISOLATION, Laboratory, PATIENCE, assert, folder, isolated, launch, plain, program, programs, serve, words } from "./laboratory.mjs";
 
 const [part = ""] = words;
-const hasThreads = Boolean(programs.threads || programs.relaxed);
+const hasThreads = Boolean(programs.threads);
 
 const BALL = [0.19, 0.47];
 const BALL_ASIDE = [0.27, 0.47];

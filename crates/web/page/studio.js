@@ -25,10 +25,9 @@ const typing = document.getElementById("typing");
 
 const store = new Store();
 
-// The program that this browser can run best: with several threads where the page may share memory, with relaxed vectors
-// where the browser knows those.
-const program = ["relaxed", "threads", "single"].find((name) => programs[name] && canRun(name));
-const canShare = program !== "single";
+// The program that this page can run: with several threads where it may share memory.
+const canShare = self.crossOriginIsolated === true && Boolean(programs.threads);
+const program = canShare ? "threads" : "single";
 
 // The questions of scripts that the studio has not answered yet, by number.
 const questions = new Map();
@@ -36,15 +35,6 @@ let questionCount = 0;
 
 // The studio that runs: its worker, those of its threads, and its canvas.
 let current = null;
-
-function canRun(name) {
-  // A module with a function that multiplies and adds relaxed vectors.
-  const relaxed = [
-    0, 97, 115, 109, 1, 0, 0, 0, 1, 8, 1, 96, 3, 123, 123, 123, 1, 123, 3, 2, 1, 0, 10, 13, 1, 11, 0, 32, 0, 32, 1, 32,
-    2, 253, 133, 2, 11,
-  ];
-  return name === "single" || (self.crossOriginIsolated && (name === "threads" || WebAssembly.validate(new Uint8Array(relaxed))));
-}
 
 function show(message, detail = "", progress = null) {
   document.getElementById("message").textContent = message;

@@ -93,6 +93,13 @@ enum SearchedBounds {
     Endless,
 }
 
+impl SearchedBounds {
+    /// Of a simple body: without bounds it has no end.
+    fn of(bounds: Option<Bounds>) -> Self {
+        bounds.map_or(Self::Endless, Self::Bounded)
+    }
+}
+
 impl BodyBuild {
     /// Prepares the bodies of a scene for rays in `space`.
     pub(crate) fn of(scene: &Scene, space: &RenderSpace) -> Result<Self, SceneBuildError> {
@@ -238,12 +245,10 @@ impl<'a> ChunkBuild<'a> {
                 self.join(place, &body.form(), &body.material, DAffine3::IDENTITY)?
             }
             _ => {
-                let canonical = CanonicalBody::of(body);
-                let PreparedBody { body: mut prepared, bounds, double } =
-                    RenderBody::prepare_shape(&canonical, self.space);
+                let PreparedBody { body: prepared, bounds, double } =
+                    self.prepare(place, &CanonicalBody::of(body), &body.material)?;
                 self.doubles.extend(double.map(|double| (index, *double)));
-                self.make_of(place, &mut prepared, &canonical, &body.material)?;
-                (prepared, Some(bounds.map_or(SearchedBounds::Endless, SearchedBounds::Bounded)))
+                (prepared, Some(SearchedBounds::of(bounds)))
             }
         };
         match search {
@@ -257,24 +262,24 @@ impl<'a> ChunkBuild<'a> {
         Ok(())
     }
 
-    /// Gives a prepared body its material and its checker.
-    fn make_of(
+    /// Prepares a simple body with its material and its checker.
+    fn prepare(
         &mut self,
         place: ScenePlace<'_>,
-        prepared: &mut RenderBody,
         canonical: &CanonicalBody,
         choice: &'a MaterialChoice,
-    ) -> Result<(), SceneBuildError> {
+    ) -> Result<PreparedBody, SceneBuildError> {
+        let mut prepared = RenderBody::prepare_shape(canonical, self.space);
+        let body = &mut prepared.body;
         let found = self.materials.find(self.named, choice);
         let (material, source) = found.ok_or_else(|| place.undefined_material(choice))?;
-        prepared.material = material;
-        prepared.transparent = u8::from(self.materials.prepared(material).is_transparent());
+        body.material = material;
+        body.transparent = u8::from(self.materials.prepared(material).is_transparent());
         if let Some(checker) = source.pattern().and_then(|pattern| pattern.checker.as_ref()) {
-            prepared.checker = self.checkers.len() as u32;
-            let is_double = prepared.is_double();
-            self.checkers.push(CheckerTexture::new(checker, canonical, self.space, is_double));
+            body.checker = self.checkers.len() as u32;
+            self.checkers.push(CheckerTexture::new(checker, canonical, self.space, body.is_double()));
         }
-        Ok(())
+        Ok(prepared)
     }
 
     /// Adds the members of a group that stands in the frame `around`.
@@ -300,11 +305,8 @@ impl<'a> ChunkBuild<'a> {
                 _ => {
                     let frame = frame * form.placement.world_from_body();
                     let canonical = CanonicalBody::placed(form.sized_shape(), frame);
-                    let PreparedBody { mut body, bounds, double } =
-                        RenderBody::prepare_shape(&canonical, self.space);
-                    self.make_of(place, &mut body, &canonical, material)?;
-                    let search = bounds.map_or(SearchedBounds::Endless, SearchedBounds::Bounded);
-                    (body, double, Some(search))
+                    let PreparedBody { body, bounds, double } = self.prepare(place, &canonical, material)?;
+                    (body, double, Some(SearchedBounds::of(bounds)))
                 }
             };
             self.members.push(MemberBuild { scene_index: place.index, body, double, search });
@@ -339,8 +341,7 @@ impl<'a> ChunkBuild<'a> {
             let in_whole = CanonicalBody::placed(part.shape, part.frame);
             own_boxes.push(in_whole.bounds().unwrap_or(Bounds::EVERYWHERE));
             let canonical = CanonicalBody::placed(part.shape, frame * part.frame);
-            let PreparedBody { mut body, bounds, double } = RenderBody::prepare_shape(&canonical, self.space);
-            self.make_of(place, &mut body, &canonical, material)?;
+            let PreparedBody { body, bounds, double } = self.prepare(place, &canonical, material)?;
             boxes.push(bounds.unwrap_or(Bounds::EVERYWHERE));
             members.push(MemberBuild { scene_index: place.index, body, double, search: None });
         }
