@@ -8,8 +8,8 @@ use crate::base::shapes::shape_name;
 use crate::base::texts::Texts;
 use crate::base::theme;
 
-/// The most parts that are listed.
-const MOST: usize = 24;
+/// The most parts that are listed: place and material below stay in sight.
+const MOST: usize = 8;
 
 /// Draws the list.
 pub(super) fn parts_ui(ui: &mut Ui, texts: &Texts, parts: &[BodyPart]) {
