@@ -16,20 +16,16 @@ use crate::{licenses, packages};
 pub(crate) enum Extent {
     /// What finds nearly every fault.
     Usual,
-    /// Also `cargo deny` and the laboratory in a browser, which take minutes to build.
+    /// Also what takes minutes to build and seldom fails alone: the release build, other systems, `cargo deny` and the
+    /// laboratory in a browser.
     Long,
 }
 
 /// The program without what its first picture does not need.
-const SLIM: [&str; 3] = ["--release", "--locked", "--no-default-features"];
+const SLIM: [&str; 4] = ["--package", "catoptric", "--locked", "--no-default-features"];
 
-/// Other systems that a package is written for: it is compiled for them as far as that goes without their linkers. In a
-/// browser the studio runs without the program.
-const TARGETS: [(&str, &str); 3] = [
-    ("catoptric", "aarch64-apple-darwin"),
-    ("catoptric", "x86_64-pc-windows-gnu"),
-    ("catoptric-web", "wasm32-unknown-unknown"),
-];
+/// Other systems that the program is written for: it is compiled for them as far as that goes without their linkers.
+const SYSTEMS: [&str; 2] = ["aarch64-apple-darwin", "x86_64-pc-windows-gnu"];
 
 /// Runs everything and says what had to be skipped.
 pub(crate) fn run(extent: Extent) -> Result<()> {
@@ -77,22 +73,24 @@ fn checks(extent: Extent) -> Result<Vec<String>> {
         run_cargo(&["clippy", "--workspace", "--all-targets", "--locked", "--", "-D", "warnings"])
     })?;
     step("lints without features", || {
-        let slim = ["--package", "catoptric", "--no-default-features"];
-        run_cargo(&[&["clippy", "--locked"], &slim[..], &["--", "-D", "warnings"]].concat())
+        run_cargo(&[&["clippy"], &SLIM[..], &["--", "-D", "warnings"]].concat())
     })?;
-    for (package, target) in TARGETS {
-        skipped.extend(check_for(package, target)?);
-    }
+    // In a browser the studio runs without the program.
+    skipped.extend(check_for("catoptric-web", "wasm32-unknown-unknown")?);
     step("documentation", || {
         let arguments = ["doc", "--workspace", "--no-deps", "--locked", "--document-private-items"];
         shell::run(cargo(&arguments).env("RUSTDOCFLAGS", "-D warnings"))
     })?;
-    step("the README's first command", first_command)?;
     skipped.extend(packages::provide());
     // The examples of the crates are measurements: the lints have seen them, and no test needs them linked.
     step("tests", || run_cargo(&["test", "--workspace", "--lib", "--bins", "--tests", "--locked"]))?;
     step("programs in the documentation", || run_cargo(&["test", "--workspace", "--doc", "--locked"]))?;
+    step("the program without features", || first_command(&[]))?;
     if extent == Extent::Long {
+        step("the README's first command", || first_command(&["--release"]))?;
+        for system in SYSTEMS {
+            skipped.extend(check_for("catoptric", system)?);
+        }
         skipped.extend(deny()?);
         step("the laboratory in a browser", || {
             run_cargo(&["run", "--package", "xtask", "--features", "web", "--locked", "--", "web", "--check"])
@@ -120,15 +118,15 @@ fn check_for(package: &str, target: &str) -> Result<Option<String>> {
 }
 
 /// Draws the picture, and asks the same program for the studio, which it does not have.
-fn first_command() -> Result<()> {
+fn first_command(profile: &[&str]) -> Result<()> {
     let folder = root().join("target");
     // Builds may go elsewhere.
     fs::create_dir_all(&folder)?;
     let picture = folder.join("whitted.png");
     let picture = picture.to_string_lossy();
     let render = ["--", "render", "whitted", "-o", &picture, "--samples", "16"];
-    run_cargo(&[&["run"], &SLIM[..], &render].concat())?;
-    let output = cargo(&[&["run", "--quiet"], &SLIM[..], &["--", "studio"]].concat()).output()?;
+    run_cargo(&[&["run"], profile, &SLIM[..], &render].concat())?;
+    let output = cargo(&[&["run", "--quiet"], profile, &SLIM[..], &["--", "studio"]].concat()).output()?;
     let words = String::from_utf8_lossy(&output.stderr);
     ensure!(
         output.status.code() == Some(2) && words.contains("cargo run --release"),

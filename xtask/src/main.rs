@@ -20,8 +20,8 @@ Project chores
 
 Usage: cargo xtask COMMAND
 
-  ci           The whole check: format, lints, documentation, dependencies, the README's first command, tests
-  ci --long    The same, cargo deny, and the laboratory in a browser
+  ci           The whole check: format, dependencies, lints, documentation, tests
+  ci --long    The same, the README's first command, other systems, cargo deny, and the laboratory in a browser
   dist         Make an archive of the program for Linux
   dist --try   The same, and try it on a bare Debian system (as root, with debootstrap)
   icons        Make the font of the icons that the studio uses anew (with pyftsubset)
