@@ -20,7 +20,7 @@ use crate::simd::vector::Vector;
 use crate::simd::{Float as _, MOST_LANES, Mask as _, Width};
 
 /// Pixels of a row that are looked at side by side.
-const RUN: usize = 8;
+pub(crate) const RUN: usize = 8;
 
 /// Stands for "no triangle".
 pub(crate) const NO_TRIANGLE: u32 = u32::MAX;
@@ -121,7 +121,8 @@ impl ScreenTriangle {
     }
 
     /// Draws what lies in row `y` of the picture, whose depths and triangles these are, as triangle `number`; samples lie
-    /// at `offset` in their pixels. Of the pixels of a run in which it is nearest, those are drawn that `keep` keeps.
+    /// at `offset` in their pixels. Of the pixels of a run in which it is nearest, those are drawn that `keep` keeps, if it is
+    /// given.
     #[inline(always)]
     pub(crate) fn draw(
         &self,
@@ -129,7 +130,7 @@ impl ScreenTriangle {
         (y, offset): (usize, DVec2),
         depths: &mut [f64],
         triangles: &mut [u32],
-        keep: impl Fn(&CoveredRun, Mask64<RUN>) -> Mask64<RUN>,
+        keep: Option<&RunFilter<'_>>,
     ) {
         let at_y = y as f64 + offset.y;
         let rest = self.edges.map(|edge| edge.y * at_y + edge.z);
@@ -157,7 +158,7 @@ impl ScreenTriangle {
             let part = |i: usize| shares[i] * Float64([self.depths[i]; RUN]);
             let depth = (part(0) + part(1) + part(2)) / sum;
             let nearer = inside & depth.gt(zero) & depth.lt(Float64(*depths));
-            let nearer = keep(&CoveredRun { shares, sum }, nearer);
+            let nearer = keep.map_or(nearer, |keep| keep(&CoveredRun { shares, sum }, nearer));
             *depths = Float64::select(nearer, depth, Float64(*depths)).0;
             nearer.select_words(number, triangles);
         }
@@ -230,6 +231,9 @@ impl ScreenTriangle {
         values
     }
 }
+
+/// Which of some pixels of a run are kept.
+pub(crate) type RunFilter<'a> = dyn Fn(&CoveredRun, Mask64<RUN>) -> Mask64<RUN> + 'a;
 
 /// Pixels of a row, and where they lie on a triangle.
 pub(crate) struct CoveredRun {
@@ -304,7 +308,7 @@ mod tests {
             for y in triangle.rows() {
                 let row = y * FRAME.width..(y + 1) * FRAME.width;
                 let (depths, numbers) = (&mut visible.depths[row.clone()], &mut visible.triangles[row]);
-                triangle.draw(number, (y, DVec2::splat(0.5)), depths, numbers, |_, nearer| nearer);
+                triangle.draw(number, (y, DVec2::splat(0.5)), depths, numbers, None);
             }
         }
         visible

@@ -270,28 +270,37 @@ impl TileRenderer<'_> {
         }
     }
 
-    /// Traces a stream of rays that wait at a level.
-    #[inline(always)]
+    /// Traces a stream of rays that wait at a level. In a function of its own: compiling one that has the code for packets,
+    /// too, takes four times as long as both.
     fn trace_stream<W: Width, const FULL: bool>(&mut self, w: W, level: usize) {
+        if !W::USES_HIERARCHY {
+            // Said once more, so that it is not compiled.
+            return;
+        }
         if self.levels.len() <= level + 1 {
             self.levels.resize_with(level + 2, DepthQueues::default);
         }
         let Some([level, next]) = self.levels.get_mut(level..level + 2) else { return };
         let queue = level.queue();
         let streams = self.streams.get_or_insert_default();
-        let count = streams.begin(w, queue);
-        self.whitted.search(w, streams);
-        for at in (0..count).step_by(W::LANES) {
-            let paths = queue.look(w, at);
-            self.whitted.li::<W, FULL>(w, &paths, PacketSource::Stream { streams, at }, next);
-        }
-        self.whitted.search_shadows(w, streams);
-        for at in (0..count).step_by(W::LANES) {
-            let paths = queue.look(w, at);
-            let light = self.whitted.gather(w, &paths, streams, at);
-            self.light.add(w, &paths, light);
-        }
-        queue.skip(count);
+        w.run(
+            #[inline(always)]
+            || {
+                let count = streams.begin(w, queue);
+                self.whitted.search(w, streams);
+                for at in (0..count).step_by(W::LANES) {
+                    let paths = queue.look(w, at);
+                    self.whitted.li::<W, FULL>(w, &paths, PacketSource::Stream { streams, at }, next);
+                }
+                self.whitted.search_shadows(w, streams);
+                for at in (0..count).step_by(W::LANES) {
+                    let paths = queue.look(w, at);
+                    let light = self.whitted.gather(w, &paths, streams, at);
+                    self.light.add(w, &paths, light);
+                }
+                queue.skip(count);
+            },
+        );
     }
 
     fn waiting(&self, level: usize) -> usize {

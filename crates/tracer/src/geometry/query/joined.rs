@@ -92,56 +92,34 @@ impl SpanRows {
     }
 }
 
-impl<W: Width> RayQuery<'_, W> {
-    /// Shows `take` each of the rays `lanes` that may come through the joined body at this place.
-    pub(crate) fn each_walk(&self, index: u32, lanes: W::M, mut take: impl FnMut(usize, JoinedWalk<'_>)) {
-        let Some(body) = self.geometry.joined(index) else { return };
-        let spans = self.spans_of_parts(body);
-        let mut starts = [0; MOST_LANES];
-        self.start.store(&mut starts);
-        let starts = starts.map(RayOrigin::of_word);
-        let met = |part: u32| {
-            let on_it = starts.iter().take(W::LANES).zip(0..).fold(0, |bits, (start, lane)| {
-                bits | u32::from(start.body == body.first + part && start.inwards) << lane
-            });
-            spans.get(part as usize).map_or(0, |span| span.hit) | on_it
+impl<'a, W: Width> RayQuery<'a, W> {
+    /// The rays `lanes` that may come through the body at this place, if it is joined.
+    pub(crate) fn walks(&self, index: u32, lanes: W::M) -> Option<JoinedWalks<'a>> {
+        let body = self.geometry.joined(index)?;
+        let is_known = self.geometry.body(index).is_transparent() && self.geometry.has_transparency;
+        let within = is_known.then(|| self.membership.of(index));
+        let walks = JoinedWalks {
+            geometry: self.geometry,
+            body,
+            spans: self.spans_of_parts(body),
+            rays: PacketRows::of(self),
+            within,
+            left: lanes.bits(),
         };
-        let mut left = lanes.bits() & body.tree.possible(met);
-        let rays = PacketRows::of(self);
-        let is_within = if self.geometry.body(index).is_transparent() && self.geometry.has_transparency {
-            Some(self.membership.of(index))
-        } else {
-            None
-        };
-        while left != 0 {
-            let lane = left.trailing_zeros() as usize % MOST_LANES;
-            left &= left - 1;
-            let ray = rays.lane(lane, starts[lane].word());
-            let spans: SmallVec<[ShapeSpan<f32>; 8]> = spans.iter().map(|span| span.lane(lane)).collect();
-            let known = is_within.map(|within| within >> lane & 1 == 1);
-            take(lane, JoinedWalk::new(self.geometry, body, ray, &spans, known));
-        }
+        Some(walks.possible())
     }
 
     /// Where rays first cross the surface of the joined body at this place.
     #[cold]
     #[inline(never)]
     pub(crate) fn first_of_joined(&self, index: u32, lanes: W::M) -> JoinedHits<W> {
-        let [mut ts, mut faces] = [[0.0; MOST_LANES]; 2];
-        let mut parts = [0; MOST_LANES];
-        let [mut entering, mut leaving] = [0; 2];
-        self.each_walk(index, lanes, |lane, mut walk| {
-            if let Some(JoinedCrossing { t, part, face, enters }) = walk.next() {
-                (ts[lane], parts[lane], faces[lane]) = (t, part, face);
-                *(if enters { &mut entering } else { &mut leaving }) |= 1 << lane;
-            }
-        });
+        let first = FirstCrossings::of(self.walks(index, lanes));
         JoinedHits {
-            t: self.w.load(&ts),
-            part: self.w.load_words(&parts),
-            face: self.w.load(&faces),
-            entering: self.w.mask(entering),
-            leaving: self.w.mask(leaving),
+            t: self.w.load(&first.t),
+            part: self.w.load_words(&first.part),
+            face: self.w.load(&first.face),
+            entering: self.w.mask(first.entering),
+            leaving: self.w.mask(first.leaving),
         }
     }
 
@@ -163,22 +141,99 @@ impl<W: Width> RayQuery<'_, W> {
     }
 }
 
-/// The components of rays side by side.
-struct PacketRows([[f32; MOST_LANES]; 6]);
+/// Rays side by side: origins, directions, and where they start.
+struct PacketRows {
+    numbers: [[f32; MOST_LANES]; 6],
+    starts: [u32; MOST_LANES],
+}
 
 impl PacketRows {
     fn of<W: Width>(query: &RayQuery<'_, W>) -> Self {
-        let mut rows = [[0.0; MOST_LANES]; 6];
+        let mut rows = Self { numbers: [[0.0; MOST_LANES]; 6], starts: [0; MOST_LANES] };
         let (o, d) = (query.origin, query.direction);
-        for (row, numbers) in rows.iter_mut().zip([o.x, o.y, o.z, d.x, d.y, d.z]) {
+        for (row, numbers) in rows.numbers.iter_mut().zip([o.x, o.y, o.z, d.x, d.y, d.z]) {
             numbers.store(row);
         }
-        Self(rows)
+        query.start.store(&mut rows.starts);
+        rows
     }
 
-    fn lane(&self, lane: usize, start: u32) -> RayPacket<ScalarWidth> {
-        let [x, y, z, along_x, along_y, along_z] = self.0.map(|row| row[lane]);
-        RayPacket { origin: Vector::new(x, y, z), direction: Vector::new(along_x, along_y, along_z), start }
+    fn lane(&self, lane: usize) -> RayPacket<ScalarWidth> {
+        let [x, y, z, along_x, along_y, along_z] = self.numbers.map(|row| row[lane]);
+        RayPacket {
+            origin: Vector::new(x, y, z),
+            direction: Vector::new(along_x, along_y, along_z),
+            start: self.starts[lane],
+        }
+    }
+}
+
+/// The rays, of those side by side, that may come through a joined body: with their lanes. In no width, so that it is
+/// compiled once.
+pub(crate) struct JoinedWalks<'g> {
+    geometry: &'g Geometry,
+    body: &'g JoinedBody,
+    /// Of its parts.
+    spans: SmallVec<[SpanRows; 4]>,
+    rays: PacketRows,
+    /// A bit for each ray that is known to start inside; the others do not.
+    within: Option<u32>,
+    /// A bit for each ray ahead.
+    left: u32,
+}
+
+impl JoinedWalks<'_> {
+    /// Without the rays that miss too many of the parts.
+    fn possible(mut self) -> Self {
+        let starts = self.rays.starts.map(RayOrigin::of_word);
+        let met = |part: u32| {
+            let is_on_it = |start: &RayOrigin| start.body == self.body.first + part && start.inwards;
+            let on_it = starts
+                .iter()
+                .zip(0..)
+                .fold(0, |bits, (start, lane)| bits | u32::from(is_on_it(start)) << lane);
+            self.spans.get(part as usize).map_or(0, |span| span.hit) | on_it
+        };
+        self.left &= self.body.tree.possible(met);
+        self
+    }
+}
+
+impl<'g> Iterator for JoinedWalks<'g> {
+    type Item = (usize, JoinedWalk<'g>);
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.left == 0 {
+            return None;
+        }
+        let lane = self.left.trailing_zeros() as usize % MOST_LANES;
+        self.left &= self.left - 1;
+        let spans: SmallVec<[ShapeSpan<f32>; 8]> = self.spans.iter().map(|span| span.lane(lane)).collect();
+        let known = self.within.map(|within| within >> lane & 1 == 1);
+        Some((lane, JoinedWalk::new(self.geometry, self.body, self.rays.lane(lane), &spans, known)))
+    }
+}
+
+/// The first crossing of each ray, if any.
+struct FirstCrossings {
+    t: [f32; MOST_LANES],
+    part: [u32; MOST_LANES],
+    face: [f32; MOST_LANES],
+    entering: u32,
+    leaving: u32,
+}
+
+impl FirstCrossings {
+    fn of(walks: Option<JoinedWalks<'_>>) -> Self {
+        let [t, face] = [[0.0; MOST_LANES]; 2];
+        let mut first = Self { t, part: [0; MOST_LANES], face, entering: 0, leaving: 0 };
+        for (lane, mut walk) in walks.into_iter().flatten() {
+            if let Some(JoinedCrossing { t, part, face, enters }) = walk.next() {
+                (first.t[lane], first.part[lane], first.face[lane]) = (t, part, face);
+                *(if enters { &mut first.entering } else { &mut first.leaving }) |= 1 << lane;
+            }
+        }
+        first
     }
 }
 

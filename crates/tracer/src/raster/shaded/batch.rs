@@ -7,7 +7,9 @@ use crate::geometry::ray::RayOrigin;
 use crate::raster::error::MethodError;
 use crate::raster::pass::PassName;
 use crate::raster::point_shader::{PointShader, ShadingPoint, vector};
-use crate::raster::rasterizer::{ScreenTriangle, TriangleCorner, VisibilityBuffer};
+use crate::raster::rasterizer::{
+    CoveredRun, RUN, RunFilter, ScreenTriangle, TriangleCorner, VisibilityBuffer,
+};
 use crate::raster::sample_sums::PassTimer;
 use crate::raster::shaded::clip::PartFace;
 use crate::raster::shaded::faces::{FaceList, MeshCache, WorldFace, WorldVertex};
@@ -262,17 +264,15 @@ impl SimdKernel for BandKernel<'_> {
             let Some(triangle) = batch.triangles.get(number as usize) else { continue };
             let rows = triangle.rows();
             let part = PartFace::of(job.scene, triangle, &batch.corners, job.settings.fineness);
+            let keep = part.as_ref().map(|part| {
+                |run: &CoveredRun, nearer: Mask64<RUN>| Mask64::of_bits(part.kept(run, nearer.bits()))
+            });
+            let keep = keep.as_ref().map(|keep| keep as &RunFilter<'_>);
             for y in rows.start.max(top)..rows.end.min(top + BAND) {
                 let row = (y - top) * stride..(y - top + 1) * stride;
                 if let (Some(depths), Some(triangles)) = (depths.get_mut(row.clone()), triangles.get_mut(row))
                 {
-                    let at = (y, offset);
-                    match &part {
-                        None => triangle.draw(number, at, depths, triangles, |_, nearer| nearer),
-                        Some(part) => triangle.draw(number, at, depths, triangles, |run, nearer| {
-                            Mask64::of_bits(part.kept(run, nearer.bits()))
-                        }),
-                    }
+                    triangle.draw(number, (y, offset), depths, triangles, keep);
                 }
             }
         }

@@ -137,17 +137,26 @@ impl MediumIntervals {
         mut take: impl FnMut(u32, [f32; 3]),
     ) {
         let Self { list, open } = self;
-        list.sort_unstable_by_key(|interval| interval.ray);
+        sort_by_ray(list);
         for of_ray in list.chunk_by_mut(|a, b| a.ray == b.ray) {
             let ray = of_ray.first().map_or(0, |interval| interval.ray);
             if of_ray.len() > 1 {
                 let (table, media) = media_of(ray);
-                of_ray.sort_unstable_by(|a, b| in_order_of_entry(scene, (table, media), a, b));
+                sort_by_entry(of_ray, scene, (table, media));
             }
             take(ray, loss_of(scene, of_ray, open));
         }
         list.clear();
     }
+}
+
+/// Not within what is compiled for each width: a sort is much code.
+fn sort_by_ray(list: &mut [MediumInterval]) {
+    list.sort_unstable_by_key(|interval| interval.ray);
+}
+
+fn sort_by_entry(of_ray: &mut [MediumInterval], scene: &RenderScene, media: (&MediumStacks, u32)) {
+    of_ray.sort_unstable_by(|a, b| in_order_of_entry(scene, media, a, b));
 }
 
 /// Which of two intervals a ray in these media enters first: those that it starts in come before others, in the order of

@@ -2,7 +2,7 @@
 
 use crate::geometry::bvh::Bvh;
 use crate::geometry::bvh::packet::TraversalStack;
-use crate::geometry::query::joined::JoinedCrossing;
+use crate::geometry::query::joined::JoinedWalks;
 use crate::geometry::query::{BodyIntersection, BodyVisitor, HitRecord, RayQuery};
 use crate::geometry::ray::POINT_ROUNDING;
 use crate::simd::scalar::ScalarWidth;
@@ -65,11 +65,15 @@ impl<W: Width> RayQuery<'_, W> {
         };
         let mut test = |index: u32| {
             if self.geometry.body(index).is_joined() {
-                self.each_joined_crossing(index, distance, self.lanes, |_, crossing| {
-                    let leaving = self.geometry.joined.turned(ScalarWidth, crossing.part, !crossing.enters);
-                    found(HitRecord { t: crossing.t, body: crossing.part, leaving });
-                    true
-                });
+                for (_, mut walk) in self.walks(index, self.lanes).into_iter().flatten() {
+                    while let Some(crossing) = walk.next()
+                        && crossing.t < number(distance)
+                    {
+                        let leaving =
+                            self.geometry.joined.turned(ScalarWidth, crossing.part, !crossing.enters);
+                        found(HitRecord { t: crossing.t, body: crossing.part, leaving });
+                    }
+                }
                 return;
             }
             let Some(crossed) = self.crossed(index, distance, self.lanes) else { return };
@@ -115,25 +119,6 @@ impl<W: Width> RayQuery<'_, W> {
 }
 
 impl<W: Width> RayQuery<'_, W> {
-    /// Shows `take` the rays that cross the surface of a joined body before `distance`, crossing by crossing, as long
-    /// as it returns true.
-    fn each_joined_crossing(
-        &self,
-        index: u32,
-        distance: W::R,
-        lanes: W::M,
-        mut take: impl FnMut(usize, JoinedCrossing) -> bool,
-    ) {
-        let mut distances = [0.0; MOST_LANES];
-        distance.store(&mut distances);
-        self.each_walk(index, lanes, |lane, mut walk| {
-            while let Some(crossing) = walk.next()
-                && crossing.t < distances[lane]
-                && take(lane, crossing)
-            {}
-        });
-    }
-
     /// What passes a joined body on the way to a light: the product of the filters of all its surfaces.
     #[cold]
     #[inline(never)]
@@ -143,49 +128,78 @@ impl<W: Width> RayQuery<'_, W> {
         (index, distance): (u32, W::R),
         lanes: W::M,
     ) -> Transmittance<W> {
-        let mut shares = [[1.0; MOST_LANES]; 3];
-        let (mut passing, mut is_filtered) = (lanes.bits(), false);
-        self.each_joined_crossing(index, distance, lanes, |lane, crossing| {
-            let part = self.geometry.body(crossing.part);
-            if !part.is_transparent() {
-                passing &= !(1 << lane);
-                return false;
-            }
-            is_filtered = true;
-            for (shares, filter) in shares.iter_mut().zip(scene.material(part).filter) {
-                shares[lane] *= filter;
-            }
-            true
-        });
-        let [red, green, blue] = shares;
+        let mut ends = [0.0; MOST_LANES];
+        distance.store(&mut ends);
+        let passed = JoinedFilters::of(scene, self.walks(index, lanes), &ends);
+        let [red, green, blue] = passed.shares;
         let share = || Vector::new(self.w.load(&red), self.w.load(&green), self.w.load(&blue));
-        Transmittance { lanes: self.w.mask(passing), share: is_filtered.then(share) }
+        Transmittance { lanes: lanes & !self.w.mask(passed.stopped), share: passed.is_filtered.then(share) }
     }
 
     /// Notes the parts of the way to a light that lie within a transparent joined body.
     #[cold]
     #[inline(never)]
     fn note_joined(&self, index: u32, distance: W::R, lanes: W::M, intervals: &mut MediumIntervals) {
-        if !self.geometry.body(index).is_transparent() {
-            return;
+        if self.geometry.body(index).is_transparent() {
+            let mut ends = [0.0; MOST_LANES];
+            distance.store(&mut ends);
+            note_walks(self.walks(index, lanes), index, &ends, intervals);
         }
-        let mut distances = [0.0; MOST_LANES];
-        distance.store(&mut distances);
-        self.each_walk(index, lanes, |lane, mut walk| {
-            let mut interval = walk.is_inside().then_some((0.0, true));
-            let end = distances[lane];
+    }
+}
+
+/// What the surfaces of a joined body take of light. In no width, as [`JoinedWalks`].
+struct JoinedFilters {
+    shares: [[f32; MOST_LANES]; 3],
+    /// A bit for each ray of which nothing is left.
+    stopped: u32,
+    is_filtered: bool,
+}
+
+impl JoinedFilters {
+    /// Before the `ends` of the rays.
+    fn of(scene: &RenderScene, walks: Option<JoinedWalks<'_>>, ends: &[f32; MOST_LANES]) -> Self {
+        let mut passed = Self { shares: [[1.0; MOST_LANES]; 3], stopped: 0, is_filtered: false };
+        for (lane, mut walk) in walks.into_iter().flatten() {
             while let Some(crossing) = walk.next()
-                && crossing.t < end
+                && crossing.t < ends[lane]
             {
-                if let Some((enter, is_within)) = interval {
-                    intervals.note_one(index, lane as u32, enter..crossing.t, is_within);
+                let part = scene.geometry.body(crossing.part);
+                if !part.is_transparent() {
+                    passed.stopped |= 1 << lane;
+                    break;
                 }
-                interval = crossing.enters.then_some((crossing.t, false));
+                passed.is_filtered = true;
+                for (shares, filter) in passed.shares.iter_mut().zip(scene.material(part).filter) {
+                    shares[lane] *= filter;
+                }
             }
+        }
+        passed
+    }
+}
+
+/// Notes the parts of ways through a joined body, up to their `ends`, that lie within it.
+fn note_walks(
+    walks: Option<JoinedWalks<'_>>,
+    index: u32,
+    ends: &[f32; MOST_LANES],
+    intervals: &mut MediumIntervals,
+) {
+    for (lane, mut walk) in walks.into_iter().flatten() {
+        let mut interval = walk.is_inside().then_some((0.0, true));
+        let end = ends[lane];
+        while let Some(crossing) = walk.next()
+            && crossing.t < end
+        {
             if let Some((enter, is_within)) = interval {
-                intervals.note_one(index, lane as u32, enter..end, is_within);
+                intervals.note_one(index, lane as u32, enter..crossing.t, is_within);
             }
-        });
+            interval = crossing.enters.then_some((crossing.t, false));
+        }
+        if let Some((enter, is_within)) = interval {
+            intervals.note_one(index, lane as u32, enter..end, is_within);
+        }
     }
 }
 
