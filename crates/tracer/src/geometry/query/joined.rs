@@ -339,23 +339,20 @@ impl<'g> JoinedWalk<'g> {
                 (self.parts, self.passed) = (parts, end);
                 continue;
             }
-            let mut surface = first;
-            if group.len() > 1 {
-                // Those that lead the other way change nothing, since the whole grows with each part or shrinks with it;
-                // of the others, in the order of the parts, the one makes the surface with which the ray is through.
-                let leads_there = |crossing: &&PartCrossing| enters_whole(tree, crossing) == is_inside;
-                let mut at = group.iter().filter(|crossing| !leads_there(crossing)).fold(self.parts, flip);
-                let mut leading: SmallVec<[PartCrossing; 8]> =
-                    group.iter().filter(leads_there).copied().collect();
-                leading.sort_unstable_by_key(|crossing| crossing.part);
-                for crossing in leading {
-                    at = flip(at, &crossing);
-                    if tree.holds(at) == is_inside {
-                        surface = crossing;
-                        break;
-                    }
-                }
-            }
+            // Of those that lead there, since the whole grows with each part or shrinks with it, the first in the scene makes
+            // the surface: of those without which the ray would not be through, or which alone bring it through. A ray that
+            // comes the other way finds the same.
+            let leads_there = |crossing: &&PartCrossing| enters_whole(tree, crossing) == is_inside;
+            let decides = |crossing: &&PartCrossing| {
+                tree.holds(flip(parts, crossing)) != is_inside
+                    || tree.holds(flip(self.parts, crossing)) == is_inside
+            };
+            let leading = || group.iter().filter(leads_there);
+            let surface = leading()
+                .filter(decides)
+                .min_by_key(|crossing| crossing.part)
+                .or_else(|| leading().min_by_key(|crossing| crossing.part))
+                .map_or(first, |crossing| *crossing);
             (self.parts, self.passed, self.is_inside) = (parts, end, is_inside);
             let part = self.body.first + surface.part;
             return Some(JoinedCrossing { t: surface.t, part, face: surface.face, enters: is_inside });

@@ -21,6 +21,10 @@ fn joined(shape: Shape, parts: Vec<BodyPart>, material: MaterialChoice) -> Body 
     Body { shape, parts, material, ..Body::default() }
 }
 
+fn difference_of(parts: Vec<BodyPart>) -> BodyPart {
+    BodyPart { parts, ..part(Shape::Difference, DVec3::ZERO) }
+}
+
 fn glowing(color: Color) -> MaterialChoice {
     MaterialChoice::own(glow(color))
 }
@@ -264,6 +268,44 @@ fn a_surface_has_the_material_of_the_part_that_made_it() {
     assert_light(light(0.0), green);
     assert_light(light(0.6), green);
     assert_light(light(0.8), red);
+}
+
+/// Where parts have a face in common, it is the first one's that makes the surface, from whichever side it is met.
+#[test]
+fn of_parts_with_a_face_in_common_the_first_makes_the_surface() {
+    let slab = |size: DVec3, z: f64| part(Shape::Cube { size }, v(0.0, 0.0, z));
+    let thick = slab(DVec3::splat(1.0), 0.0);
+    let wide = slab(v(2.0, 0.5, 1.0), 0.0);
+    // The shape, its parts, and the numbers of those that make the faces at the greater and the lesser z.
+    let cases: [(Shape, Vec<BodyPart>, [u32; 2]); 6] = [
+        (Shape::Intersection, vec![thick.clone(), wide.clone()], [0, 0]),
+        (Shape::Intersection, vec![wide.clone(), thick.clone()], [0, 0]),
+        (Shape::Union, vec![wide.clone(), thick.clone()], [0, 0]),
+        // Two that cut to the same depth from above.
+        (
+            Shape::Difference,
+            vec![thick.clone(), slab(v(0.5, 0.5, 1.0), 0.6), slab(v(0.4, 0.6, 0.8), 0.5)],
+            [1, 0],
+        ),
+        // Those that only touch take nothing away.
+        (Shape::Difference, vec![thick.clone(), slab(DVec3::ONE, 1.0), slab(DVec3::ONE, -1.0)], [0, 0]),
+        (Shape::Intersection, vec![difference_of(vec![thick, slab(DVec3::ONE, 1.0)]), wide], [0, 0]),
+    ];
+    for (shape, parts, expected) in cases {
+        let scene = stage_of(vec![joined(shape, parts.clone(), glowing(Color::WHITE))]);
+        let through = |z: f64| {
+            let mut ray = ray(v(0.03, 0.05, z), DVec3::Z * -z);
+            [(); 2].map(|()| {
+                let hit = scene.closest_hit(&ray).expect("two faces are met");
+                ray = beyond(&hit, &ray);
+                hit.hit.body
+            })
+        };
+        let [[upper, lower], [lower_too, upper_too]] = [through(4.0), through(-4.0)];
+        // In the tracer's list, parts follow the whole.
+        assert_eq!([upper, lower], expected.map(|number| number + 1), "{shape:?} {parts:?}");
+        assert_eq!([upper_too, lower_too], [upper, lower], "from the other side: {shape:?} {parts:?}");
+    }
 }
 
 /// A bowl of mirrors: a ray reflected within the cavity meets its far side, as often as geometry has it.
