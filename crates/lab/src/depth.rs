@@ -102,7 +102,7 @@ fn starts_within(scene: &Scene, render_scene: &RenderScene) -> bool {
     // Who stands in a body sees its inside before or behind.
     [view, -view].iter().any(|&direction| {
         let hits = render_scene.hits_along(&render_scene.ray_from_point(position, direction));
-        hits.iter().any(|hit| hit.hit.leaving)
+        hits.iter().any(|hit| hit.from_within)
     })
 }
 

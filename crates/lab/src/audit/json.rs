@@ -63,7 +63,7 @@ impl Audit {
             "hit": ray.hit.map(|hit| json!({
                 "body": self.body(hit.body),
                 "distance": ray.distance(),
-                "leaving": hit.hit.leaving,
+                "leaving": hit.from_within,
                 "position": hit.position.to_array().map(number),
                 "normal": hit.normal.to_array(),
                 "incidence_degrees": node.incidence.map(f64::to_degrees),

@@ -230,7 +230,7 @@ impl AuditText<'_> {
 
     fn surface(&mut self, node: &Node, answer: &SurfaceRecord) {
         let Some(hit) = node.ray.hit else { return };
-        let side = if hit.hit.leaving { " from within" } else { "" };
+        let side = if hit.from_within { " from within" } else { "" };
         self.line(
             "meets",
             &format!(

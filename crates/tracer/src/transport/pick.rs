@@ -22,6 +22,8 @@ pub struct RayIntersection {
     pub position: DVec3,
     /// Unit normal there, facing the ray.
     pub normal: Vec3,
+    /// Whether the ray meets it from within: of a joined body, from within the whole.
+    pub from_within: bool,
 }
 
 impl RayIntersection {
@@ -33,6 +35,7 @@ impl RayIntersection {
             hit,
             position: scene.world_from_render(point.in_world),
             normal: point.normal.into(),
+            from_within: scene.geometry.joined.whole_of(hit.body, hit.leaving).inwards,
         })
     }
 }

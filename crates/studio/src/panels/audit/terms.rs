@@ -164,7 +164,7 @@ impl AuditLineWriter<'_> {
                 ("point", vector(self.texts, hit.position).into()),
                 ("normal", vector(self.texts, hit.normal).into()),
             ];
-            let key = if hit.hit.leaving { "audit-meets-within" } else { "audit-meets-words" };
+            let key = if hit.from_within { "audit-meets-within" } else { "audit-meets-words" };
             terms.push(
                 AuditLine::new(AuditTerm::Meets, texts.get("audit-meets")).words(texts.with(key, &arguments)),
             );

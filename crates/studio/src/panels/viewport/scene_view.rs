@@ -99,7 +99,7 @@ impl SceneView {
         Some(ProjectedPoint {
             body: hit.body,
             degrees: degrees.clamp(0.0, 90.0),
-            is_from_inside: hit.hit.leaving,
+            is_from_inside: hit.from_within,
         })
     }
 
@@ -114,7 +114,7 @@ impl SceneView {
     pub(crate) fn rooms_at(&self, at: DVec2) -> Vec<usize> {
         let Some((render_scene, camera)) = &self.render_scene else { return Vec::new() };
         let hits = render_scene.hits_along(&camera.ray(at, self.projector.size()));
-        hits.into_iter().filter(|hit| hit.hit.leaving).map(|hit| hit.body).collect()
+        hits.into_iter().filter(|hit| hit.from_within).map(|hit| hit.body).collect()
     }
 
     /// What lies between a point and a surface point, and how far from the first: the nearest body.
@@ -168,7 +168,7 @@ impl SceneView {
             return PointerTarget::Arrow(item);
         }
         match self.body_at(at) {
-            Some(hit) if hit.hit.leaving || is_plane(cx.editor.scene(), hit.body) => {
+            Some(hit) if hit.from_within || is_plane(cx.editor.scene(), hit.body) => {
                 PointerTarget::Surroundings
             }
             Some(hit) => match cx.editor.edited().item(ScenePart::Body(hit.body)) {

@@ -117,7 +117,7 @@ impl PlacementView<'_> {
         let body = self.scene.bodies.get(hit.body)?;
         let (height, ground) = match (body.shape, bounds::of_body(body)) {
             (Shape::Plane, _) => (plane_height(body), SupportSurface::Endless),
-            (_, Some(bounds)) if hit.hit.leaving => (bounds.min.y, SupportSurface::Top(hit.body)),
+            (_, Some(bounds)) if hit.from_within => (bounds.min.y, SupportSurface::Top(hit.body)),
             (_, Some(bounds)) => (bounds.max.y, SupportSurface::Top(hit.body)),
             (_, None) => return None,
         };
