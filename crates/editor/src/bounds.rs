@@ -70,6 +70,11 @@ fn reach_of(form: &Form<'_>, direction: DVec3) -> Option<f64> {
         Shape::Difference => parts.next()??,
         _ => form.sized_shape().support(local)?,
     };
+    // Parts of a lens or a tube may reach past what they are cut by.
+    let own = form.parametric().map_or(own, |shape| {
+        let [min, max] = shape.extent();
+        own.min((min * local).max(max * local).element_sum())
+    });
     Some(direction.dot(frame.translation) + own)
 }
 

@@ -26,7 +26,8 @@ impl NewBodyPlacement {
     pub fn body(&self, shape: ShapeKind) -> Body {
         let anchor = Anchor::Frame { position: self.foot, rotation_degrees: self.rotation_degrees };
         let placement = Placement { anchor, ..Placement::default() };
-        let mut body = Body { shape: shape.shape().scaled(self.size), placement, ..Body::default() };
+        let shape = shape.body_shape().scaled(self.size);
+        let mut body = Body { placement, ..Body::of_shape(shape) };
         if let Some(bounds) = bounds::of_body(&body) {
             body.placement = body.placement.moved_by(DVec3::Y * (self.foot.y - bounds.min.y));
         }

@@ -4,6 +4,7 @@ use glam::{DAffine3, DVec3};
 
 use crate::compound::{BodyPart, Form, box_corners, each_part_mut, part_materials};
 use crate::material::MaterialChoice;
+use crate::parametric::ParametricShape;
 use crate::placement::Placement;
 use crate::shape::Shape;
 
@@ -25,12 +26,15 @@ pub struct Body {
     pub locked: bool,
     /// What the body is joined of; none unless the shape [has parts](Shape::is_compound).
     pub parts: Vec<BodyPart>,
+    /// What [shape](Self::shape) and parts are the [expansion](ParametricShape::expansion) of, if they are one.
+    pub parametric: Option<Box<ParametricShape>>,
 }
 
 impl Body {
     /// Its geometry.
     pub fn form(&self) -> Form<'_> {
-        Form { shape: self.shape, placement: self.placement, parts: &self.parts }
+        let expanded = self.parametric.as_deref();
+        Form { shape: self.shape, placement: self.placement, parts: &self.parts, expanded }
     }
 
     /// The shape with the height that it has where it stands: its own, or the distance between its base and top points.

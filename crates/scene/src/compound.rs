@@ -3,6 +3,7 @@
 use glam::{DAffine3, DVec3};
 
 use crate::material::MaterialChoice;
+use crate::parametric::ParametricShape;
 use crate::placement::{Anchor, Placement};
 use crate::shape::Shape;
 
@@ -19,6 +20,8 @@ pub struct BodyPart {
     pub material: Option<MaterialChoice>,
     /// Its own parts; none unless the shape [has parts](Shape::is_compound).
     pub parts: Vec<BodyPart>,
+    /// What [shape](Self::shape) and parts are the [expansion](ParametricShape::expansion) of, if they are one.
+    pub parametric: Option<Box<ParametricShape>>,
 }
 
 /// A simple part where it stands.
@@ -42,6 +45,8 @@ pub struct Form<'a> {
     pub placement: Placement,
     /// Its parts, in its own frame.
     pub parts: &'a [BodyPart],
+    /// What shape and parts are the expansion of, unless they have been changed since.
+    pub(crate) expanded: Option<&'a ParametricShape>,
 }
 
 impl Shape {
@@ -54,7 +59,8 @@ impl Shape {
 impl BodyPart {
     /// Its geometry.
     pub fn form(&self) -> Form<'_> {
-        Form { shape: self.shape, placement: self.placement, parts: &self.parts }
+        let expanded = self.parametric.as_deref();
+        Form { shape: self.shape, placement: self.placement, parts: &self.parts, expanded }
     }
 }
 
@@ -89,6 +95,9 @@ impl<'a> Form<'a> {
     /// The least and the greatest coordinates of a box around it in its own frame: the tightest for a simple shape.
     /// `None` for what has no end.
     pub fn extent(&self) -> Option<[DVec3; 2]> {
+        if let Some(shape) = self.parametric() {
+            return Some(shape.extent());
+        }
         let of_part = |part: &BodyPart| part.form().extent_around();
         let mut boxes = self.parts.iter().map(of_part);
         let extent = match self.shape {

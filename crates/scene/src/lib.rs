@@ -13,6 +13,7 @@ mod language;
 mod light;
 mod list;
 mod material;
+mod parametric;
 mod part;
 mod placement;
 mod scene_images;
@@ -38,6 +39,10 @@ pub use list::{CountedIter, List, ListIter, ListIterMut, ListSlices};
 pub use material::{
     Attenuation, Checker, CheckerSpace, Coated, Conductor, Dielectric, Material, MaterialChoice, Matte,
     MetalOptics, Mirror, Model, NamedMaterial, Pattern, Phong, RefractiveIndex, Share, ThinDielectric,
+};
+pub use parametric::{
+    BodyShape, Bowl, DishDepth, DishProfile, Expansion, Lens, LensCurvature, MirrorDish, ParametricShape, Prism, Ring,
+    Tube, Wedge,
 };
 pub use part::ScenePart;
 pub use placement::{Anchor, Placement};

@@ -11,6 +11,7 @@ mod sphere;
 
 use glam::DVec3;
 
+use crate::parametric::{BodyShape, ParametricShape};
 use crate::shape::cuboid::Cuboid;
 use crate::shape::frustum::Frustum;
 use crate::shape::paraboloid::Paraboloid;
@@ -287,6 +288,20 @@ pub enum ShapeKind {
     Paraboloid,
     /// [`Shape::Plane`].
     Plane,
+    /// [`ParametricShape::Lens`].
+    Lens,
+    /// [`ParametricShape::MirrorDish`].
+    MirrorDish,
+    /// [`ParametricShape::Tube`].
+    Tube,
+    /// [`ParametricShape::Ring`].
+    Ring,
+    /// [`ParametricShape::Bowl`].
+    Bowl,
+    /// [`ParametricShape::Prism`].
+    Prism,
+    /// [`ParametricShape::Wedge`].
+    Wedge,
     /// [`Shape::Union`].
     Union,
     /// [`Shape::Intersection`].
@@ -298,14 +313,21 @@ pub enum ShapeKind {
 }
 
 impl ShapeKind {
-    /// All shapes: those of one piece, then those of parts.
-    pub const ALL: [Self; 10] = [
+    /// All shapes: those of one piece, those that numbers make of parts, then those that are given their parts.
+    pub const ALL: [Self; 17] = [
         Self::Sphere,
         Self::Cube,
         Self::Cylinder,
         Self::Cone,
         Self::Paraboloid,
         Self::Plane,
+        Self::Lens,
+        Self::MirrorDish,
+        Self::Tube,
+        Self::Ring,
+        Self::Bowl,
+        Self::Prism,
+        Self::Wedge,
         Self::Union,
         Self::Intersection,
         Self::Difference,
@@ -316,7 +338,11 @@ impl ShapeKind {
     pub const SIMPLE: [Self; 6] =
         [Self::Sphere, Self::Cube, Self::Cylinder, Self::Cone, Self::Paraboloid, Self::Plane];
 
-    /// Whether a body of this shape consists of [parts](crate::Body::parts).
+    /// The shapes that numbers make of parts, in the order in which to offer them.
+    pub const PARAMETRIC: [Self; 7] =
+        [Self::Lens, Self::MirrorDish, Self::Tube, Self::Ring, Self::Bowl, Self::Prism, Self::Wedge];
+
+    /// Whether a body of this shape is given [parts](crate::Body::parts).
     pub const fn is_compound(self) -> bool {
         matches!(self, Self::Union | Self::Intersection | Self::Difference | Self::Group)
     }
@@ -330,6 +356,13 @@ impl ShapeKind {
             Self::Cone => "cone",
             Self::Paraboloid => "paraboloid",
             Self::Plane => "plane",
+            Self::Lens => "lens",
+            Self::MirrorDish => "mirror-dish",
+            Self::Tube => "tube",
+            Self::Ring => "ring",
+            Self::Bowl => "bowl",
+            Self::Prism => "prism",
+            Self::Wedge => "wedge",
             Self::Union => "union",
             Self::Intersection => "intersection",
             Self::Difference => "difference",
@@ -342,7 +375,15 @@ impl ShapeKind {
         Self::ALL.into_iter().find(|kind| kind.key() == key)
     }
 
-    /// The shape in its default size.
+    /// The shape in its default size, as files and inspectors say it.
+    pub fn body_shape(self) -> BodyShape {
+        match ParametricShape::of_kind(self) {
+            Some(shape) => BodyShape::Parametric(shape),
+            None => BodyShape::Plain(self.shape()),
+        }
+    }
+
+    /// The shape in its default size; of what numbers make of parts, how these are joined.
     pub const fn shape(self) -> Shape {
         match self {
             Self::Sphere => Shape::SPHERE,
@@ -352,8 +393,8 @@ impl ShapeKind {
             Self::Paraboloid => Shape::PARABOLOID,
             Self::Plane => Shape::Plane,
             Self::Union => Shape::Union,
-            Self::Intersection => Shape::Intersection,
-            Self::Difference => Shape::Difference,
+            Self::Intersection | Self::Lens | Self::Prism | Self::Wedge => Shape::Intersection,
+            Self::Difference | Self::MirrorDish | Self::Tube | Self::Ring | Self::Bowl => Shape::Difference,
             Self::Group => Shape::Group,
         }
     }

@@ -48,6 +48,7 @@ pub(super) fn join(edited: &EditedScene, selection: &Selection, shape: ShapeKind
         placement: body.placement.moved_by(-origin),
         material: (body.material != first.material).then(|| body.material.clone()),
         parts: body.parts.clone(),
+        parametric: body.parametric.clone(),
     });
     let mut names = other_names(scene, &indices);
     let whole = Body {
@@ -58,6 +59,7 @@ pub(super) fn join(edited: &EditedScene, selection: &Selection, shape: ShapeKind
         hidden: bodies.iter().all(|body| body.hidden),
         locked: false,
         parts: parts.collect(),
+        parametric: None,
     };
     let subject = whole.name.clone();
     let mut joined = edited.clone();
@@ -136,5 +138,6 @@ fn body_of_part(whole: &Body, part: &BodyPart, name: String) -> Result<Body> {
         hidden: whole.hidden,
         locked: false,
         parts: part.parts.clone(),
+        parametric: part.parametric.clone(),
     })
 }

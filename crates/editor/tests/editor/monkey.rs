@@ -90,7 +90,11 @@ impl Chance {
             0 | 1 => {
                 let placement =
                     NewBodyPlacement { size: self.number(), ..NewBodyPlacement::at(self.vector()) };
-                Action::AddBody { shape: ShapeKind::SIMPLE[self.below(5)], placement, name: self.name() }
+                let shape = match self.below(2) {
+                    0 => ShapeKind::SIMPLE[self.below(5)],
+                    _ => ShapeKind::PARAMETRIC[self.below(7)],
+                };
+                Action::AddBody { shape, placement, name: self.name() }
             }
             2 => Action::AddLight { at: self.vector(), name: self.name() },
             3 => Action::AddMaterial { name: self.name() },
@@ -119,7 +123,7 @@ impl Chance {
             29 => Action::DropToGround,
             30 => Action::ResetPlacement,
             31 => Action::RemoveUnusedMaterials,
-            32 | 33 => Action::Join { shape: ShapeKind::ALL[self.below(10)], name: self.name() },
+            32 | 33 => Action::Join { shape: ShapeKind::ALL[self.below(17)], name: self.name() },
             34 => Action::TakeApart,
             35..=38 => Action::Undo,
             _ => Action::Redo,

@@ -28,7 +28,7 @@ impl DisplayNames {
     pub(super) fn meet(&mut self, scene: &Scene, body: usize) {
         let name = || match scene.bodies.get(body) {
             Some(found) if !found.name.is_empty() => quoted_name(&found.name),
-            Some(found) => format!("{} {}", found.shape.key(), body + 1),
+            Some(found) => format!("{} {}", found.body_shape().key(), body + 1),
             None => format!("body {}", body + 1),
         };
         self.bodies.entry(body).or_insert_with(name);

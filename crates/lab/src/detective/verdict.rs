@@ -176,7 +176,7 @@ fn body_in_words(body: usize, scene: &Scene, language: Language) -> String {
     if !found.name.is_empty() {
         return quoted_name(&found.name);
     }
-    let shape = match (language, found.shape.kind()) {
+    let shape = match (language, found.body_shape().kind()) {
         (Language::English, kind) => kind.key(),
         (Language::Russian, ShapeKind::Sphere) => "шар",
         (Language::Russian, ShapeKind::Cube) => "куб",
@@ -184,6 +184,13 @@ fn body_in_words(body: usize, scene: &Scene, language: Language) -> String {
         (Language::Russian, ShapeKind::Cone) => "конус",
         (Language::Russian, ShapeKind::Paraboloid) => "параболоид",
         (Language::Russian, ShapeKind::Plane) => "плоскость",
+        (Language::Russian, ShapeKind::Lens) => "линза",
+        (Language::Russian, ShapeKind::MirrorDish) => "вогнутое зеркало",
+        (Language::Russian, ShapeKind::Tube) => "труба",
+        (Language::Russian, ShapeKind::Ring) => "кольцо",
+        (Language::Russian, ShapeKind::Bowl) => "чаша",
+        (Language::Russian, ShapeKind::Prism) => "призма",
+        (Language::Russian, ShapeKind::Wedge) => "клин",
         (Language::Russian, ShapeKind::Union) => "объединение",
         (Language::Russian, ShapeKind::Intersection) => "пересечение",
         (Language::Russian, ShapeKind::Difference) => "разность",

@@ -18,7 +18,7 @@ impl ExactAnswers {
         places.dedup();
         let name = |place: usize| match scene.bodies.get(place) {
             Some(body) if !body.name.is_empty() => quoted_name(&body.name),
-            Some(body) => format!("{} {}", body.shape.key(), place + 1),
+            Some(body) => format!("{} {}", body.body_shape().key(), place + 1),
             None => format!("body {}", place + 1),
         };
         self.names = places.into_iter().map(|place| (place, name(place))).collect();

@@ -19,8 +19,9 @@ use crate::format::tree::Table;
 use crate::format::typed::Fields;
 use crate::light::{Falloff, Light};
 use crate::material::{Material, MaterialChoice};
+use crate::parametric::BodyShape;
 use crate::placement::{Anchor, Placement};
-use crate::shape::{Shape, ShapeKind};
+use crate::shape::ShapeKind;
 use crate::{Environment, Sky, Surroundings, Tracing};
 
 /// Builds the document from tables.
@@ -183,7 +184,7 @@ impl<'t> SceneBuilder<'_, 't> {
         let built = self.part_of(&keys::BODY, table, &mut parts);
         let mut fields = Fields { text: self.text, spec: &keys::BODY, table, found: self.found };
         let (hidden, locked) = (fields.flag("hidden"), fields.flag("locked"));
-        let BodyPart { name, shape, placement, material, parts: own } = built.part;
+        let BodyPart { name, shape, placement, material, parts: own, parametric } = built.part;
         let body = Body {
             name,
             shape,
@@ -192,6 +193,7 @@ impl<'t> SceneBuilder<'_, 't> {
             hidden: hidden.unwrap_or_default(),
             locked: locked.unwrap_or_default(),
             parts: own,
+            parametric,
         };
         let name_span = table.get("name").map(|value| value.span);
         BuiltBody { body, is_known: built.is_known, name_span, material_span: built.material_span, parts }
@@ -214,10 +216,11 @@ impl<'t> SceneBuilder<'_, 't> {
         let is_known = shape.is_ok();
         let mut shape = shape.unwrap_or_default();
         if let Anchor::Axis { base, top } = anchor {
-            shape.set_height(base.distance(top));
+            shape.set_number("height", base.distance(top));
         }
-        let parts = if shape.is_compound() { parts } else { Vec::new() };
-        let part = BodyPart { name, shape, placement: Placement { anchor, scale }, material, parts };
+        let (shape, parts, parametric) = shape.into_form(parts);
+        let placement = Placement { anchor, scale };
+        let part = BodyPart { name, shape, placement, material, parts, parametric };
         let broken = rules::parts(&part.form());
         let is_known = is_known && broken.is_none();
         if are_known {
@@ -309,7 +312,7 @@ fn table_has(table: &Table<'_>, name: &str) -> bool {
 }
 
 /// The shape of a body; `Err` when it is not known which.
-fn shape(fields: &mut Fields<'_, '_, '_>) -> Result<Shape, ()> {
+fn shape(fields: &mut Fields<'_, '_, '_>) -> Result<BodyShape, ()> {
     let is_on_axis = fields.has("base") || fields.has("top");
     let Ok(chosen) = fields.choice("shape") else {
         // `base` and `top` are checked with the place of the body, and leave nothing for `height` to say.
@@ -319,11 +322,11 @@ fn shape(fields: &mut Fields<'_, '_, '_>) -> Result<Shape, ()> {
         return Err(());
     };
     let kind = chosen.and_then(ShapeKind::of_key).unwrap_or_default();
-    let mut shape = kind.shape();
+    let mut shape = kind.body_shape();
     let sizes = fields.spec.keys.iter().filter(|key| key.belongs_to("shape", kind.key()));
     for key in sizes.filter(|key| !(is_on_axis && keys::SAID_BY_AXIS.contains(&key.name))) {
         match key.kind {
-            Kind::Number(_) => {
+            Kind::Number(_) | Kind::Integer(_) => {
                 if let Some(number) = fields.number(key.name) {
                     shape.set_number(key.name, number);
                 }
@@ -333,23 +336,28 @@ fn shape(fields: &mut Fields<'_, '_, '_>) -> Result<Shape, ()> {
                     shape.set_vector(key.name, vector);
                 }
             }
+            Kind::Choice(_) => {
+                if let Ok(Some(word)) = fields.choice(key.name) {
+                    shape.set_word(key.name, word);
+                }
+            }
             // The ends of the axis belong to the place.
             _ => {}
         }
     }
-    match rules::depth(&shape) {
+    match rules::sizes(&shape) {
         Some(broken) => {
-            report(fields, broken, &["radius"]);
-            Ok(kind.shape())
+            report(fields, broken, &["radius", "thickness", "shape"]);
+            Ok(kind.body_shape())
         }
         None => Ok(shape),
     }
 }
 
 /// Where the body stands: by base and top where both are given and allowed, else by position and rotation.
-fn anchor(fields: &mut Fields<'_, '_, '_>, shape: Result<Shape, ()>) -> Anchor {
+fn anchor(fields: &mut Fields<'_, '_, '_>, shape: Result<BodyShape, ()>) -> Anchor {
     // A body of an unknown shape with a base is meant to be one of those that take it.
-    let takes_axis = shape.is_ok_and(|shape| shape.height().is_some()) || shape.is_err();
+    let takes_axis = shape.is_ok_and(|shape| shape.axis_height().is_some()) || shape.is_err();
     if takes_axis && (fields.has("base") || fields.has("top")) {
         check_company(fields, &Message::AxisOrFrame);
         let (base, top) = (fields.vector("base"), fields.vector("top"));
@@ -383,7 +391,9 @@ fn check_company(fields: &mut Fields<'_, '_, '_>, help: &Message) {
                 None => finding,
             });
         }
-        for &other in key.excludes {
+        // Of two that exclude each other one is enough.
+        let excluded = if reported.contains(&key.name) { &[] } else { key.excludes };
+        for &other in excluded {
             let Some(other_span) = fields.key_span(other) else { continue };
             if reported.contains(&other) {
                 continue;

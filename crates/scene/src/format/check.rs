@@ -218,6 +218,9 @@ impl SceneValidator {
         self.record(of, record);
         let is_in_range = self.problems.len() == before;
         self.place(of, form, is_in_range);
+        if form.parametric().is_some() {
+            return;
+        }
         if !form.shape.is_compound() && !form.parts.is_empty() {
             self.add(of, "parts", Message::PartsOfSimple { shape: form.shape.key() });
             return;
@@ -245,13 +248,13 @@ impl SceneValidator {
     /// Where a body or a part stands, and its height.
     fn place(&mut self, of: &NamedPart<'_>, form: &Form<'_>, is_in_range: bool) {
         let Anchor::Axis { base, top } = form.placement.anchor else {
-            if let Some(broken) = rules::depth(&form.shape).filter(|_| is_in_range) {
+            if let Some(broken) = rules::sizes(&form.body_shape()).filter(|_| is_in_range) {
                 self.add(of, broken.key, broken.message);
             }
             return;
         };
         if form.shape.height().is_none() {
-            self.add(of, "base", Message::NoAxis { shape: form.shape.key() });
+            self.add(of, "base", Message::NoAxis { shape: form.body_shape().key() });
             return;
         }
         if let Some(broken) = rules::axis(base, top).filter(|_| is_in_range) {

@@ -12,12 +12,13 @@ use crate::material::{
     Attenuation, Checker, DEFAULT_METAL, Dielectric, METAL_NAMES, Model, Pattern, Phong, RefractiveIndex,
     SUBSTANCE_NAMES,
 };
+use crate::parametric::{DishProfile, Prism};
 use crate::shape::ShapeKind;
 
 /// Versions of the format that can be read; the last one is written.
 pub const VERSIONS: &[&str] = &["catoptric/1"];
 
-/// The shapes with a height, which base and top points can place.
+/// The shapes that base and top points can place.
 const UPRIGHT: &[&str] = &["cylinder", "cone", "paraboloid"];
 /// The shapes with parts.
 const COMPOUND: &[&str] = &["union", "intersection", "difference", "group"];
@@ -326,11 +327,19 @@ pub static BODY: TableSpec = TableSpec {
     keys: &[
         KeySpec::new("name", Kind::Text, "a name that no other body has"),
         SHAPE,
+        SIDES,
         RADIUS,
+        INNER_RADIUS,
         TOP_RADIUS,
         SIZE,
+        THICKNESS,
         HEIGHT,
+        PROFILE,
         FOCAL_LENGTH,
+        LENS_IOR,
+        CURVATURE_RADIUS,
+        FRONT_RADIUS,
+        BACK_RADIUS,
         BASE,
         TOP,
         KeySpec::new("position", Kind::Vector(Limits::PLACE), "the place of the body's own origin, meters")
@@ -360,11 +369,19 @@ pub static PART: TableSpec = TableSpec {
     keys: &[
         KeySpec::new("name", Kind::Text, "a name that no other part of the same whole has"),
         SHAPE,
+        SIDES,
         RADIUS,
+        INNER_RADIUS,
         TOP_RADIUS,
         SIZE,
+        THICKNESS,
         HEIGHT,
+        PROFILE,
         FOCAL_LENGTH,
+        LENS_IOR,
+        CURVATURE_RADIUS,
+        FRONT_RADIUS,
+        BACK_RADIUS,
         BASE,
         TOP,
         KeySpec::new(
@@ -387,13 +404,54 @@ pub static PART: TableSpec = TableSpec {
 const SHAPE: KeySpec = KeySpec::new("shape", Kind::Choice(&SHAPE_NAMES), "the shape of the body")
     .or(Default::Text(ShapeKind::Sphere.key()))
     .written();
+const SIDES: KeySpec = KeySpec::new(
+    "sides",
+    Kind::Integer(Limits::new(3.0, Prism::MAX_SIDES as f64)),
+    "the number of sides of a prism",
+)
+.or(Default::Number(3.0))
+.only("shape", &["prism"])
+.written();
 const RADIUS: KeySpec = KeySpec::new(
     "radius",
     Kind::Number(Limits::LENGTH),
-    "the radius (of the base, for a cone; of the rim, for a paraboloid), meters",
+    "the radius (of the base, for a cone; of the rim, for a paraboloid, a lens or a mirror dish), meters",
 )
-.or(Default::ByChoice(&[("sphere", 1.0), ("cylinder", 0.5), ("cone", 0.5), ("paraboloid", 0.5)]))
-.only("shape", &["sphere", "cylinder", "cone", "paraboloid"])
+.or(Default::ByChoice(&[
+    ("sphere", 1.0),
+    ("cylinder", 0.5),
+    ("cone", 0.5),
+    ("paraboloid", 0.5),
+    ("lens", 0.5),
+    ("mirror-dish", 0.5),
+    ("tube", 0.5),
+    ("ring", 0.5),
+    ("bowl", 0.5),
+    ("prism", 0.5),
+]))
+.only(
+    "shape",
+    &[
+        "sphere",
+        "cylinder",
+        "cone",
+        "paraboloid",
+        "lens",
+        "mirror-dish",
+        "tube",
+        "ring",
+        "bowl",
+        "prism",
+    ],
+)
+.written();
+const INNER_RADIUS: KeySpec = KeySpec::new(
+    "inner_radius",
+    Kind::Number(Limits::LENGTH),
+    "the radius of the hole, less than `radius`, meters",
+)
+.or(Default::ByChoice(&[("tube", 0.4), ("ring", 0.3)]))
+.only("shape", &["tube", "ring"])
 .written();
 const TOP_RADIUS: KeySpec = KeySpec::new(
     "top_radius",
@@ -408,19 +466,75 @@ const SIZE: KeySpec = KeySpec::new(
     "the edge length, or the three edge lengths, meters",
 )
 .or(Default::Number(1.0))
-.only("shape", &["cube"])
+.only("shape", &["cube", "wedge"])
 .written();
-const HEIGHT: KeySpec = KeySpec::new("height", Kind::Number(Limits::LENGTH), "the height, meters")
-    .or(Default::Number(1.0))
-    .only("shape", UPRIGHT)
-    .written();
+const THICKNESS: KeySpec = KeySpec::new(
+    "thickness",
+    Kind::Number(Limits::LENGTH),
+    "the thickness (in the middle, for a lens or a mirror dish; of the wall, for a bowl), meters",
+)
+.or(Default::ByChoice(&[("lens", 0.3), ("mirror-dish", 0.1), ("ring", 0.1), ("bowl", 0.05)]))
+.only("shape", &["lens", "mirror-dish", "ring", "bowl"])
+.written();
+const HEIGHT: KeySpec = KeySpec::new(
+    "height",
+    Kind::Number(Limits::LENGTH),
+    "the height (of the rim, for a bowl: by default its radius), meters",
+)
+.or(Default::ByChoice(&[
+    ("cylinder", 1.0),
+    ("cone", 1.0),
+    ("paraboloid", 1.0),
+    ("tube", 1.0),
+    ("prism", 1.0),
+]))
+.only("shape", &["cylinder", "cone", "paraboloid", "tube", "bowl", "prism"])
+.written();
+const PROFILE: KeySpec =
+    KeySpec::new("profile", Kind::Choice(DishProfile::KEYS), "the curve of the face of a mirror dish")
+        .or(Default::Text(DishProfile::Parabolic.key()))
+        .only("shape", &["mirror-dish"]);
 const FOCAL_LENGTH: KeySpec = KeySpec::new(
     "focal_length",
-    Kind::Number(Limits::LENGTH),
-    "the distance of the focus from the vertex in the place of the height, meters",
+    Kind::Number(Limits::PLACE),
+    "the distance of the focus (from the vertex, in the place of the height of a paraboloid; of a lens in air, in the \
+     place of its radii of curvature, below 0 if it spreads light), meters",
 )
-.only("shape", &["paraboloid"])
-.excluding(&["height"]);
+.or(Default::ByChoice(&[("mirror-dish", 0.5)]))
+.only("shape", &["paraboloid", "lens", "mirror-dish"])
+.excluding(&["height", "curvature_radius", "back_radius"])
+.written();
+const LENS_IOR: KeySpec = KeySpec::new(
+    "ior",
+    Kind::Number(Limits::new(0.01, 100.0)),
+    "the index of refraction that the focal length of a lens holds for, by default 1.5",
+)
+.only("shape", &["lens"])
+.beside("focal_length", &[]);
+const CURVATURE_RADIUS: KeySpec = KeySpec::new(
+    "curvature_radius",
+    Kind::Number(Limits::LENGTH),
+    "the radius of curvature of a mirror dish at its vertex, in the place of the focal length, meters",
+)
+.only("shape", &["mirror-dish"])
+.excluding(&["focal_length"]);
+const FRONT_RADIUS: KeySpec = KeySpec::new(
+    "front_radius",
+    Kind::Number(Limits::PLACE),
+    "the radius of curvature of a lens at -Y, meters; 0 is flat, above 0 bulges",
+)
+.or(Default::Number(1.0))
+.only("shape", &["lens"])
+.written();
+const BACK_RADIUS: KeySpec = KeySpec::new(
+    "back_radius",
+    Kind::Number(Limits::PLACE),
+    "the radius of curvature of a lens at +Y, meters; 0 is flat, below 0 bulges",
+)
+.or(Default::Number(-1.0))
+.only("shape", &["lens"])
+.excluding(&["focal_length", "ior"])
+.written();
 const BASE: KeySpec = KeySpec::new(
     "base",
     Kind::Vector(Limits::PLACE),

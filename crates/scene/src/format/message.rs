@@ -6,12 +6,14 @@
 mod catalog;
 mod image;
 mod phrase;
+mod size;
 mod syntax;
 
 pub(crate) use catalog::Message;
 pub(crate) use phrase::{
     Collection, Component, Conjunction, Enumeration, FoundValue, KeyMeaning, Requirement, Subject,
 };
+pub(crate) use size::{SizeFault, SizeHelp};
 pub use phrase::{Number, Phrase, Sentence};
 
 #[cfg(test)]

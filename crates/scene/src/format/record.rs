@@ -224,15 +224,21 @@ pub(crate) fn part(part: &BodyPart) -> Record<'_> {
 
 /// Shape, sizes and place.
 fn geometry<'a>(record: Record<'a>, form: &Form<'_>) -> Record<'a> {
-    let mut record = record.with("shape", Datum::Text(Cow::Borrowed(form.shape.key())));
+    let shape = form.body_shape();
+    let mut record = record.with("shape", Datum::Text(Cow::Borrowed(shape.key())));
     let is_on_axis = matches!(form.placement.anchor, Anchor::Axis { .. });
     for key in
         record.table.0.keys.iter().filter(|key| !(is_on_axis && keys::SAID_BY_AXIS.contains(&key.name)))
     {
-        if let Some(number) = form.shape.number(key.name) {
-            record = record.number(key.name, number);
-        } else if let Some(vector) = form.shape.vector(key.name) {
+        if let Some(number) = shape.number(key.name) {
+            record = match key.kind {
+                Kind::Integer(_) => record.with(key.name, Datum::Integer(number as u32)),
+                _ => record.number(key.name, number),
+            };
+        } else if let Some(vector) = shape.vector(key.name) {
             record = record.number_or_vector(key.name, vector);
+        } else if let Some(word) = shape.word(key.name) {
+            record = record.text(key.name, word);
         }
     }
     record = match form.placement.anchor {
@@ -251,9 +257,9 @@ fn material_choice<'a>(record: Record<'a>, choice: &'a MaterialChoice) -> Record
     }
 }
 
-/// The parts of a compound shape.
+/// The parts of a shape that is given them.
 fn with_parts<'a>(record: Record<'a>, form: &Form<'a>) -> Record<'a> {
-    match form.shape.is_compound() {
+    match form.body_shape().kind().is_compound() {
         true => record.with("parts", Datum::Tables(form.parts.iter().map(part).collect())),
         false => record,
     }
@@ -297,7 +303,7 @@ mod tests {
         assert!(tracing(&Tracing::default()).is_all_default());
         assert!(light(&Light::default()).is_all_default());
         for kind in ShapeKind::ALL {
-            let body_of = Body { shape: kind.shape(), ..Body::default() };
+            let body_of = Body::of_shape(kind.body_shape());
             let record = body(&body_of);
             for (name, datum) in &record.values {
                 let (_, key) = keys::BODY.find(name).unwrap();
@@ -307,8 +313,9 @@ mod tests {
             // A shape has the sizes that have a default for it, and no others.
             let depends = |key: &&KeySpec| matches!(key.when, When::Choice { .. }) && key.name != "parts";
             for key in keys::BODY.keys.iter().filter(depends) {
-                let has_default =
-                    key.belongs_to("shape", kind.key()) && key.default_number(Some(kind.key())).is_some();
+                let is_given =
+                    key.default_number(Some(kind.key())).is_some() || matches!(key.default, Default::Text(_));
+                let has_default = key.belongs_to("shape", kind.key()) && is_given;
                 assert_eq!(record.get(key.name).is_some(), has_default, "{} of {kind:?}", key.name);
             }
         }

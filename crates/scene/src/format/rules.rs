@@ -3,8 +3,9 @@
 use glam::{DAffine3, DVec3};
 
 use crate::compound::Form;
-use crate::format::message::Message;
+use crate::format::message::{Component, FoundValue, Message, SizeFault, SizeHelp, Subject};
 use crate::format::spec::Limits;
+use crate::parametric::BodyShape;
 use crate::shape::Shape;
 
 /// Directions are parallel if the sine of the angle between them is less than this: some thousand times the error of
@@ -20,6 +21,24 @@ pub(crate) struct BrokenRule {
     pub(crate) message: Message,
     /// What to do.
     pub(crate) help: Message,
+}
+
+impl BrokenRule {
+    /// Sizes of a shape that contradict each other.
+    pub(crate) fn of_size(key: &'static str, fault: SizeFault) -> Self {
+        let help = Message::ChangeSizes { help: SizeHelp(fault.clone()) };
+        Self { key, message: Message::Sizes { fault }, help }
+    }
+
+    /// A number that for its shape has closer limits than its key.
+    pub(crate) fn out_of_range(key: &'static str, value: f64, limits: Limits) -> Self {
+        let message = Message::OutOfRange {
+            subject: Subject::component(Component::Whole, key),
+            value: FoundValue::Value(value.into()),
+            requirement: limits.requirement(value),
+        };
+        Self { key, message, help: Message::LengthAboveZero { key } }
+    }
 }
 
 /// A camera needs a direction of view, and an upward direction across it.
@@ -64,9 +83,20 @@ pub(crate) fn axis(base: DVec3, top: DVec3) -> Option<BrokenRule> {
     None
 }
 
-/// The height of a paraboloid that is given by its focal length has the limits of a length.
-pub(crate) fn depth(shape: &Shape) -> Option<BrokenRule> {
-    shape.number("focal_length")?;
+/// Sizes that only together are wrong.
+pub(crate) fn sizes(shape: &BodyShape) -> Option<BrokenRule> {
+    match shape {
+        BodyShape::Plain(shape) => depth(shape),
+        BodyShape::Parametric(shape) => shape.broken_rule(),
+    }
+}
+
+/// The focal length of a paraboloid has the limits of a length, and so has the height that it gives.
+fn depth(shape: &Shape) -> Option<BrokenRule> {
+    let length = shape.number("focal_length")?;
+    if !Limits::LENGTH.contains(length) {
+        return Some(BrokenRule::out_of_range("focal_length", length, Limits::LENGTH));
+    }
     (!Limits::LENGTH.contains(shape.height()?)).then_some(BrokenRule {
         key: "focal_length",
         message: Message::FocalLengthBesideRadius,

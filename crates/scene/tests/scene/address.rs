@@ -112,7 +112,8 @@ fn an_address_without_a_value_says_why() {
         ),
         (
             "bodies.\"7\".radius",
-            "`radius` is only for `shape` \"sphere\", \"cylinder\", \"cone\" or \"paraboloid\"",
+            "`radius` is only for `shape` \"sphere\", \"cylinder\", \"cone\", \"paraboloid\", \"lens\", \"mirror-dish\", \"tube\", \
+             \"ring\", \"bowl\" or \"prism\"",
         ),
         ("bodies.rod.position", "`position` cannot stand beside `base`; `base` sets this already"),
         ("materials.glass.ior", "`ior` cannot stand beside `substance`"),
@@ -330,7 +331,7 @@ fn a_key_knows_its_unit_and_what_it_can_be() {
     assert_eq!(
         key("bodies.ball.shape").meaning(Language::English),
         "the shape of the body: \"sphere\", \"cube\", \"cylinder\", \"cone\", \"paraboloid\", \"plane\", \
-         \"union\", \"intersection\", \"difference\" or \"group\""
+         \"lens\", \"mirror-dish\", \"tube\", \"ring\", \"bowl\", \"prism\", \"wedge\", \"union\", \"intersection\", \"difference\" or \"group\""
     );
     assert_eq!(
         key("camera.position.x").meaning(Language::Russian),
@@ -455,13 +456,30 @@ fn check_key(before: &Scene, key: &SceneKey, random: &mut Random) -> Result<(), 
     });
     let mut edits = vec![SceneEdit { path: path.clone(), value: Some(value.clone()) }];
     if let Some(partner) = partner.filter(|partner| before.get(partner).is_err()) {
-        let other = if *spec.name == *"layer" { "builtin:grid".into() } else { [1.0, 2.0, 3.0].into() };
+        let other = match spec.name {
+            "layer" => "builtin:grid".into(),
+            "ior" => 2.0.into(),
+            _ => [1.0, 2.0, 3.0].into(),
+        };
         edits.push(SceneEdit { path: partner, value: Some(other) });
     }
     let mut scene = before.clone();
     if let Err(error) = scene.edit(&edits) {
         // Only the rules between several values are left to be broken.
-        let rules = ["`target` and", "`up` is", "`base` and `top` are", "`focal_length` gives a height"];
+        let rules = [
+            "`target` and",
+            "`up` is",
+            "`base` and `top` are",
+            "`focal_length` ",
+            "`inner_radius` is not smaller",
+            "`thickness` is not smaller",
+            "the rim of this",
+            "a face with a radius",
+            "the faces of this lens",
+            "the ball of a face",
+            "a lens whose index",
+            "no lens of this",
+        ];
         let error = error.to_string();
         prop_assert!(
             rules.iter().any(|rule| error.starts_with(rule)) || error.contains("needs at least one part"),

@@ -2,6 +2,7 @@
 
 use catoptric_optics::{CLEAR, METALS};
 use catoptric_scene::{
+    BodyShape, ShapeKind,
     Anchor, Attenuation, Body, BodyPart, Camera, Checker, CheckerSpace, Coated, Color, Conductor, Dielectric,
     Environment, Falloff, Image, ImageSource, Light, Material, MaterialChoice, Matte, MetalOptics, Mirror,
     Model, NamedMaterial, ParaboloidDepth, Pattern, Phong, Placement, Projection, RefractiveIndex, Scene,
@@ -237,15 +238,47 @@ fn choice() -> BoxedStrategy<MaterialChoice> {
     .boxed()
 }
 
+/// A lens, a tube or another shape that numbers make of parts.
+fn parametric() -> impl Strategy<Value = BodyShape> {
+    let kind = proptest::sample::select(ShapeKind::PARAMETRIC.to_vec());
+    (kind, 0.01..100.0, 0.5..1.0, 0..4u32).prop_map(|(kind, factor, share, variant)| {
+        let mut shape = kind.body_shape();
+        let set = |shape: &mut BodyShape, keys: &[(&str, f64)]| {
+            keys.iter().for_each(|(key, value)| shape.set_number(key, *value));
+        };
+        match (kind, variant) {
+            (ShapeKind::Lens, 0) => set(&mut shape, &[("front_radius", 0.0), ("thickness", share)]),
+            (ShapeKind::Lens, 1) => set(&mut shape, &[("focal_length", -1.0 - share), ("ior", 1.4 + share)]),
+            (ShapeKind::Lens, 2) => set(&mut shape, &[("focal_length", 2.0), ("front_radius", 1.0 + share)]),
+            (ShapeKind::MirrorDish, 0) => shape.set_word("profile", "spherical"),
+            (ShapeKind::MirrorDish, 1) => set(&mut shape, &[("curvature_radius", 1.0 + share)]),
+            (ShapeKind::Bowl, 0) => set(&mut shape, &[("height", 0.9 * share)]),
+            (ShapeKind::Prism, sides) => set(&mut shape, &[("sides", f64::from(3 + sides))]),
+            (ShapeKind::Wedge, 0) => shape.set_vector("size", DVec3::new(share, 1.0, 2.0)),
+            _ => {}
+        }
+        shape.scaled(factor)
+    })
+}
+
 /// A part of a body: mostly a simple one.
 fn part() -> impl Strategy<Value = BodyPart> {
     let simple = (name(), shape_and_anchor(), lengths(), proptest::option::of(choice())).prop_map(
         |(name, (shape, anchor), scale, material)| {
             let placement = Placement { anchor, scale };
-            BodyPart { name, shape, placement, material, parts: Vec::new() }
+            BodyPart { name, shape, placement, material, ..BodyPart::default() }
         },
     );
-    simple.prop_recursive(3, 12, 3, |inner| {
+    let parametric = (name(), parametric(), place(), lengths(), proptest::option::of(choice())).prop_map(
+        |(name, shape, position, scale, material)| {
+            let body = Body::of_shape(shape);
+            let placement = Placement { scale, ..Placement::at(position) };
+            let (shape, parts, parametric) = (body.shape, body.parts, body.parametric);
+            BodyPart { name, shape, placement, material, parts, parametric }
+        },
+    );
+    let alone = prop_oneof![4 => simple, 1 => parametric];
+    alone.prop_recursive(3, 12, 3, |inner| {
         let shapes = vec![Shape::Union, Shape::Intersection, Shape::Difference, Shape::Group];
         let parts = proptest::collection::vec(inner, 1..4);
         (name(), proptest::sample::select(shapes), place(), lengths(), proptest::option::of(choice()), parts)
@@ -255,6 +288,7 @@ fn part() -> impl Strategy<Value = BodyPart> {
                 placement: Placement { scale, ..Placement::at(position) },
                 material,
                 parts: unique(parts, |part| &mut part.name),
+                parametric: None,
             })
     })
 }
@@ -262,8 +296,9 @@ fn part() -> impl Strategy<Value = BodyPart> {
 fn body() -> BoxedStrategy<Body> {
     (part(), choice(), any::<[bool; 2]>())
         .prop_map(|(part, own, [hidden, locked])| {
-            let BodyPart { name, shape, placement, material, parts } = part;
-            Body { name, shape, placement, material: material.unwrap_or(own), hidden, locked, parts }
+            let BodyPart { name, shape, placement, material, parts, parametric } = part;
+            let material = material.unwrap_or(own);
+            Body { name, shape, placement, material, hidden, locked, parts, parametric }
         })
         .boxed()
 }

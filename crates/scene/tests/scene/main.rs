@@ -11,6 +11,7 @@ mod address;
 mod common;
 mod hints;
 mod malformed;
+mod parametric;
 mod properties;
 mod reading;
 mod schema;

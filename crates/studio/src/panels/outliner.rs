@@ -235,7 +235,8 @@ pub(crate) fn part_name<'a>(texts: &'a Texts, scene: &'a Scene, part: ScenePart)
         ScenePart::Light(place) => ("name-light", place),
         ScenePart::Material(place) => ("name-material", place),
         ScenePart::Body(place) => {
-            (scene.bodies.get(place).map_or("name-sphere", |body| shape_name(body.shape.kind())), place)
+            let name = |body: &Body| shape_name(body.body_shape().kind());
+            (scene.bodies.get(place).map_or("name-sphere", name), place)
         }
     };
     let arguments = [("kind", texts.get(key).into()), ("number", (place + 1).into())];
@@ -259,7 +260,7 @@ pub(crate) fn item_icon(edited: &EditedScene, item: Item) -> MaterialIcon {
         Item::Light(_) => icons::ICON_LIGHTBULB,
         Item::Material(_) => icons::ICON_PALETTE,
         Item::Body(_) => {
-            let shape = body_of(edited, item).map_or(ShapeKind::Sphere, |body| body.shape.kind());
+            let shape = body_of(edited, item).map_or(ShapeKind::Sphere, |body| body.body_shape().kind());
             let command =
                 if shape.is_compound() { Command::Edit(join(shape)) } else { AddCommand::Body(shape).into() };
             command.look().map_or(icons::ICON_CIRCLE, |look| look.icon)

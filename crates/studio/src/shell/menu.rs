@@ -235,6 +235,8 @@ fn edit() -> Vec<MenuItem> {
 fn add() -> Vec<MenuItem> {
     let mut entries: Vec<MenuItem> = commands_of(ShapeKind::SIMPLE.map(AddCommand::Body)).collect();
     entries.push(MenuItem::Line);
+    entries.extend(commands_of(ShapeKind::PARAMETRIC.map(AddCommand::Body)));
+    entries.push(MenuItem::Line);
     entries.extend(commands_of([AddCommand::Light, AddCommand::Material]));
     entries
 }

@@ -3,6 +3,7 @@
 use crate::format::message::phrase::{
     Collection, Enumeration, FoundValue, KeyMeaning, Requirement, Sentence, Subject,
 };
+use crate::format::message::size::{SizeFault, SizeHelp};
 use crate::format::message::syntax::SyntaxFault;
 use crate::format::spec::{Kind, TableSpec};
 use crate::image::ImageError;
@@ -275,6 +276,15 @@ messages! {
     HeightOfParaboloid:
         "the height of a paraboloid is the square of `radius` over four times `focal_length`; change one of them",
         "высота параболоида равна квадрату `radius`, делённому на учетверённый `focal_length`; измените один из ключей";
+    Sizes { fault: SizeFault }:
+        "{fault}",
+        "{fault}";
+    ChangeSizes { help: SizeHelp }:
+        "{help}",
+        "{help}";
+    LengthAboveZero { key: &'static str }:
+        "`{key}` of this shape is a length above 0",
+        "`{key}` у этой формы — длина больше нуля";
 
     // Bodies of parts.
     NoParts { shape: &'static str }:

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use catoptric_scene::format::keys;
-use catoptric_scene::{Body, ScenePart, ShapeKind};
+use catoptric_scene::{Body, DishProfile, ScenePart, ShapeKind};
 use egui::{Id, Ui};
 
 use super::sheet::{NumberRow, PropertySheet, RowQuantity, SliderRail, Unit, VectorRow, VectorSpread};
@@ -16,10 +16,10 @@ use crate::state::context::Cx;
 static RADIUS: NumberRow<Body> = NumberRow::<Body>::new(
     RowQuantity::new("radius", "edit-radius", &keys::BODY, "radius").in_unit(Unit::Meters),
     SliderRail::None,
-    |body| body.shape.number("radius").filter(|_| body.shape.number("top_radius").is_none()),
+    |body| body.body_shape().number("radius").filter(|_| body.shape.number("top_radius").is_none()),
     |body, value| {
         if body.shape.number("top_radius").is_none() {
-            body.shape.set_number("radius", value);
+            body.change_shape(|shape| shape.set_number("radius", value));
         }
     },
 );
@@ -45,22 +45,72 @@ static TOP_RADIUS: NumberRow<Body> = NumberRow::<Body>::new(
 static HEIGHT: NumberRow<Body> = NumberRow::<Body>::new(
     RowQuantity::new("height", "edit-height", &keys::BODY, "height").in_unit(Unit::Meters),
     SliderRail::None,
-    Body::height,
+    |body| body.height().or_else(|| body.body_shape().shown_number("height")),
     reshape::set_height,
 );
 
 static FOCAL_LENGTH: NumberRow<Body> = NumberRow::<Body>::new(
     RowQuantity::new("focal-length", "edit-focal-length", &keys::BODY, "focal_length").in_unit(Unit::Meters),
     SliderRail::None,
-    |body| body.sized_shape().focal_length(),
+    |body| body.sized_shape().focal_length().or_else(|| body.body_shape().shown_number("focal_length")),
     reshape::set_focal_length,
+);
+
+static SIDES: NumberRow<Body> = NumberRow::<Body>::new(
+    RowQuantity::new("sides", "edit-sides", &keys::BODY, "sides"),
+    SliderRail::None,
+    |body| body.body_shape().shown_number("sides"),
+    |body, value| body.change_shape(|shape| shape.set_number("sides", value)),
+)
+.tuned(0.05, 0);
+
+static INNER_RADIUS: NumberRow<Body> = NumberRow::<Body>::new(
+    RowQuantity::new("inner-radius", "edit-inner-radius", &keys::BODY, "inner_radius").in_unit(Unit::Meters),
+    SliderRail::None,
+    |body| body.body_shape().shown_number("inner_radius"),
+    |body, value| body.change_shape(|shape| shape.set_number("inner_radius", value)),
+);
+
+static THICKNESS: NumberRow<Body> = NumberRow::<Body>::new(
+    RowQuantity::new("thickness", "edit-thickness", &keys::BODY, "thickness").in_unit(Unit::Meters),
+    SliderRail::None,
+    |body| body.body_shape().shown_number("thickness"),
+    |body, value| body.change_shape(|shape| shape.set_number("thickness", value)),
+);
+
+static LENS_IOR: NumberRow<Body> = NumberRow::<Body>::new(
+    RowQuantity::new("lens-ior", "edit-lens-ior", &keys::BODY, "ior"),
+    SliderRail::None,
+    |body| body.body_shape().shown_number("ior"),
+    |body, value| body.change_shape(|shape| shape.set_number("ior", value)),
+);
+
+static CURVATURE_RADIUS: NumberRow<Body> = NumberRow::<Body>::new(
+    RowQuantity::new("curvature-radius", "edit-curvature-radius", &keys::BODY, "curvature_radius").in_unit(Unit::Meters),
+    SliderRail::None,
+    |body| body.body_shape().shown_number("curvature_radius"),
+    |body, value| body.change_shape(|shape| shape.set_number("curvature_radius", value)),
+);
+
+static FRONT_RADIUS: NumberRow<Body> = NumberRow::<Body>::new(
+    RowQuantity::new("front-radius", "edit-front-radius", &keys::BODY, "front_radius").in_unit(Unit::Meters),
+    SliderRail::None,
+    |body| body.body_shape().shown_number("front_radius"),
+    |body, value| body.change_shape(|shape| shape.set_number("front_radius", value)),
+);
+
+static BACK_RADIUS: NumberRow<Body> = NumberRow::<Body>::new(
+    RowQuantity::new("back-radius", "edit-back-radius", &keys::BODY, "back_radius").in_unit(Unit::Meters),
+    SliderRail::None,
+    |body| body.body_shape().shown_number("back_radius"),
+    |body, value| body.change_shape(|shape| shape.set_number("back_radius", value)),
 );
 
 static SIZE: VectorRow<Body> = VectorRow::<Body>::new(
     RowQuantity::new("size", "edit-size", &keys::BODY, "size").in_unit(Unit::Meters),
     VectorSpread::Same,
-    |body| body.shape.vector("size"),
-    |body, value| body.shape.set_vector("size", value),
+    |body| body.body_shape().vector("size"),
+    |body, value| body.change_shape(|shape| shape.set_vector("size", value)),
 )
 .linked(|memory| &mut memory.size_link);
 
@@ -95,7 +145,7 @@ pub(super) fn bodies_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut InspectorStat
 
 fn shape_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Body>) {
     let texts = sheet.texts();
-    let kind = sheet.primary.shape.kind();
+    let kind = sheet.primary.body_shape().kind();
     let summary = texts.get(shape_choice(kind));
     section(ui, "shape", texts.get("section-shape"), summary, sheet.is_free, |ui| {
         let kinds = ShapeKind::ALL.into_iter().filter(|other| other.is_compound() == kind.is_compound());
@@ -110,7 +160,7 @@ fn shape_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Body>) {
                 }
             })
             .collect();
-        let is_mixed = sheet.things.iter().any(|body| body.shape.kind() != kind);
+        let is_mixed = sheet.things.iter().any(|body| body.body_shape().kind() != kind);
         let chosen = (!is_mixed).then_some(kind);
         let id = sheet.id.with("shape");
         let width = ui.available_width();
@@ -118,15 +168,44 @@ fn shape_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Body>) {
             sheet.change("shape", "edit-shape", |_, body| reshape::reshape(body, kind));
         }
         sheet.note(ui, "shape");
-        let chosen = Some(sheet.primary.shape.key());
+        let chosen = Some(kind.key());
         sheet.vector(ui, &SIZE);
-        sheet.number(ui, &RADIUS, chosen);
-        sheet.number(ui, &BASE_RADIUS, chosen);
-        sheet.number(ui, &TOP_RADIUS, chosen);
-        sheet.number(ui, &HEIGHT, chosen);
-        sheet.number(ui, &FOCAL_LENGTH, chosen);
-        if sheet.primary.shape.is_compound() && sheet.things.len() == 1 {
+        for row in [&SIDES, &RADIUS, &BASE_RADIUS, &TOP_RADIUS, &INNER_RADIUS, &THICKNESS, &HEIGHT] {
+            sheet.number(ui, row, chosen);
+        }
+        profile_ui(ui, sheet);
+        for row in [&FRONT_RADIUS, &BACK_RADIUS, &FOCAL_LENGTH, &LENS_IOR, &CURVATURE_RADIUS] {
+            sheet.number(ui, row, chosen);
+        }
+        if kind.is_compound() && sheet.things.len() == 1 {
             parts::parts_ui(ui, texts, &sheet.primary.parts);
         }
     });
+}
+
+/// The choice of the curve of a mirror dish.
+fn profile_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Body>) {
+    let Some(chosen) = sheet.primary.body_shape().word("profile") else { return };
+    let texts = sheet.texts();
+    let choices = [DishProfile::Parabolic, DishProfile::Spherical].map(|profile| {
+        let key = match profile {
+            DishProfile::Parabolic => "profile-parabolic",
+            DishProfile::Spherical => "profile-spherical",
+        };
+        ChoiceItem {
+            value: profile,
+            text: texts.get(key),
+            tip: texts.tip(key).unwrap_or_default(),
+            is_enabled: true,
+        }
+    });
+    let id = sheet.id.with("profile");
+    let width = ui.available_width();
+    let chosen = DishProfile::of_key(chosen);
+    if let Some(profile) = choice_ui(ui, id, texts.get("profile"), width, &choices, chosen) {
+        sheet.change("profile", "edit-profile", |_, body| {
+            body.change_shape(|shape| shape.set_word("profile", profile.key()));
+        });
+    }
+    sheet.note(ui, "profile");
 }

@@ -33,7 +33,8 @@ fn add_lines(texts: &Texts, parts: &[BodyPart], depth: usize, lines: &mut Vec<St
         if lines.len() > 10 * MOST {
             return;
         }
-        let shape = texts.get(shape_name(part.shape.kind()));
+        let kind = part.form().body_shape().kind();
+        let shape = texts.get(shape_name(kind));
         let name = if part.name.is_empty() { shape.to_owned() } else { format!("{} ({shape})", part.name) };
         let material = match &part.material {
             Some(MaterialChoice::Named(name)) => format!(", {name}"),
@@ -41,6 +42,9 @@ fn add_lines(texts: &Texts, parts: &[BodyPart], depth: usize, lines: &mut Vec<St
             None => String::new(),
         };
         lines.push(format!("{}• {name}{material}", "    ".repeat(depth)));
-        add_lines(texts, &part.parts, depth + 1, lines);
+        // The parts of a lens or a tube are nobody's to change.
+        if kind.is_compound() {
+            add_lines(texts, &part.parts, depth + 1, lines);
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! Changes of a body's shape or anchor without a jump: sizes and the middle are kept.
 
-use catoptric_scene::{Anchor, Body, Shape, ShapeKind};
+use catoptric_scene::{Anchor, Body, BodyShape, ShapeKind};
 use glam::{DVec3, EulerRot};
 
 use crate::base::widgets::number::tidy;
@@ -9,25 +9,26 @@ use crate::base::widgets::number::tidy;
 /// other where not; the middle of the body stays, and a plane lies where the lowest part of the body was. A body of
 /// parts keeps them, so that it becomes no simple shape, nor the other way round.
 pub(super) fn reshape(body: &mut Body, kind: ShapeKind) {
-    if body.shape.kind() == kind || body.shape.is_compound() != kind.is_compound() {
+    let old = body.body_shape().kind();
+    if old == kind || old.is_compound() != kind.is_compound() {
         return;
     }
     if kind.is_compound() {
-        body.shape = kind.shape();
-        return;
+        return body.set_shape(kind.body_shape());
     }
     to_frame(body);
-    let old = body.shape;
+    let before = body.form().extent();
     // A plane has no sizes to carry over.
     let (radius, height) =
-        old.extent().map_or((0.5, 1.0), |[min, max]| (0.5 * (max.x - min.x), max.y - min.y));
-    let new = kind.of_size(radius, height);
-    body.shape = new;
-    let rise = match (old, new) {
+        before.map_or((0.5, 1.0), |[min, max]| (0.5 * (max.x - min.x), max.y - min.y));
+    body.set_shape(BodyShape::of_size(kind, radius, height));
+    let bottom = |[min, _]: [DVec3; 2]| min.y;
+    let middle = |[min, max]: [DVec3; 2]| 0.5 * (min.y + max.y);
+    let rise = match (before, body.form().extent()) {
         // What replaces a plane stands on it, and a plane lies under what it replaces.
-        (Shape::Plane, new) => -bottom(&new),
-        (old, Shape::Plane) => bottom(&old),
-        (old, new) => old.middle().y - new.middle().y,
+        (None, new) => -new.map_or(0.0, bottom),
+        (Some(old), None) => bottom(old),
+        (Some(old), Some(new)) => middle(old) - middle(new),
     };
     let up = body.placement.world_from_body().matrix3 * (rise * DVec3::Y);
     if let Anchor::Frame { position, .. } = &mut body.placement.anchor {
@@ -35,26 +36,21 @@ pub(super) fn reshape(body: &mut Body, kind: ShapeKind) {
     }
 }
 
-/// The height of the lowest point in the body's own frame.
-fn bottom(shape: &Shape) -> f64 {
-    shape.extent().map_or(0.0, |[min, _]| min.y)
-}
-
 /// Sets the height of a body that has one; one that is placed by two points keeps its base and direction.
 pub(super) fn set_height(body: &mut Body, value: f64) {
-    body.shape.set_height(value);
+    body.change_shape(|shape| shape.set_number("height", value));
     if let Anchor::Axis { base, top } = &mut body.placement.anchor {
         let direction = (*top - *base).try_normalize().unwrap_or(DVec3::Y);
         *top = (*base + value * direction).map(tidy);
     }
 }
 
-/// Sets the focal length of a paraboloid, and with it its height.
+/// Sets the focal length of a lens or a mirror, and with it the height of a paraboloid.
 pub(super) fn set_focal_length(body: &mut Body, value: f64) {
-    if body.shape.focal_length().is_none() {
+    if body.shape.focal_length().is_none() && body.parametric.is_none() {
         return;
     }
-    body.shape.set_number("focal_length", value);
+    body.change_shape(|shape| shape.set_number("focal_length", value));
     if let (Anchor::Axis { .. }, Some(height)) = (body.placement.anchor, body.shape.height()) {
         set_height(body, height);
     }
@@ -95,7 +91,7 @@ fn round_angle(degrees: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use catoptric_scene::{BodyPart, ParaboloidDepth, Placement};
+    use catoptric_scene::{BodyPart, ParaboloidDepth, Placement, Shape};
 
     fn cone(anchor: Anchor) -> Body {
         Body {
@@ -182,11 +178,12 @@ mod tests {
         for from in ShapeKind::ALL {
             for to in ShapeKind::ALL {
                 let parts = if from.is_compound() { vec![BodyPart::default()] } else { Vec::new() };
-                let mut body = Body { shape: from.shape(), parts, ..Body::default() };
+                let mut body = Body { parts, ..Body::default() };
+                body.set_shape(from.body_shape());
                 reshape(&mut body, to);
                 // Parts are joined and taken apart elsewhere.
                 let becomes = if from.is_compound() == to.is_compound() { to } else { from };
-                assert_eq!(body.shape.kind(), becomes);
+                assert_eq!(body.body_shape().kind(), becomes);
                 let scene = catoptric_scene::Scene { bodies: [body].into(), ..Default::default() };
                 assert_eq!(scene.check(), []);
             }

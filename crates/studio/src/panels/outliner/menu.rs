@@ -89,7 +89,8 @@ pub(super) fn rest_menu(response: &Response, cx: &mut Cx<'_>) {
 fn add_ui(ui: &mut Ui, cx: &Cx<'_>, commands: &mut Vec<Command>, has_more: bool) {
     ui.set_min_width(200.0);
     let more = [AddCommand::Light, AddCommand::Material].into_iter().filter(|_| has_more);
-    for command in ShapeKind::SIMPLE.map(AddCommand::Body).into_iter().chain(more).map(Command::from) {
+    let shapes = ShapeKind::SIMPLE.into_iter().chain(ShapeKind::PARAMETRIC).map(AddCommand::Body);
+    for command in shapes.chain(more).map(Command::from) {
         if item(ui, cx.situation(), &command) {
             commands.push(command);
         }

@@ -122,6 +122,13 @@ pub(super) static ROWS: &[CommandRow] = rows! {
         "add.cone": Add(AddCommand::Body(ShapeKind::Cone)) => "command-add-cone", ICON_CHANGE_HISTORY;
         "add.paraboloid": Add(AddCommand::Body(ShapeKind::Paraboloid)) => "command-add-paraboloid", ICON_RICE_BOWL;
         "add.plane": Add(AddCommand::Body(ShapeKind::Plane)) => "command-add-plane", ICON_CROP_LANDSCAPE;
+        "add.lens": Add(AddCommand::Body(ShapeKind::Lens)) => "command-add-lens", ICON_JOIN_INNER;
+        "add.mirror-dish": Add(AddCommand::Body(ShapeKind::MirrorDish)) => "command-add-mirror-dish", ICON_CENTER_FOCUS_WEAK;
+        "add.tube": Add(AddCommand::Body(ShapeKind::Tube)) => "command-add-tube", ICON_DATABASE;
+        "add.ring": Add(AddCommand::Body(ShapeKind::Ring)) => "command-add-ring", ICON_RADIO_BUTTON_UNCHECKED;
+        "add.bowl": Add(AddCommand::Body(ShapeKind::Bowl)) => "command-add-bowl", ICON_RICE_BOWL;
+        "add.prism": Add(AddCommand::Body(ShapeKind::Prism)) => "command-add-prism", ICON_CHANGE_HISTORY;
+        "add.wedge": Add(AddCommand::Body(ShapeKind::Wedge)) => "command-add-wedge", ICON_LANDSCAPE;
         "add.light": Add(AddCommand::Light) => "command-add-light", ICON_LIGHTBULB;
         "add.material": Add(AddCommand::Material) => "command-add-material", ICON_PALETTE;
     }
@@ -252,7 +259,8 @@ mod tests {
         let all: Vec<&Command> = Command::all().collect();
         let mut expected: Vec<Command> = Vec::new();
         expected.extend(Pane::ALL.map(|pane| WindowCommand::TogglePane(pane).into()));
-        expected.extend(ShapeKind::SIMPLE.map(|shape| AddCommand::Body(shape).into()));
+        let shapes = [ShapeKind::SIMPLE.as_slice(), &ShapeKind::PARAMETRIC].concat();
+        expected.extend(shapes.into_iter().map(|shape| AddCommand::Body(shape).into()));
         expected.extend(JOINS.map(Command::Edit));
         expected.extend(ViewSide::ALL.map(|side| CameraCommand::LookAlong(side).into()));
         expected.extend(Language::ALL.map(|language| WindowCommand::Language(language).into()));

@@ -217,7 +217,7 @@ impl BodyEdit {
 
 /// Whether two bodies are the same to the tracer.
 fn is_alike(one: &Body, other: &Body) -> bool {
-    let Body { name: _, locked: _, shape, placement, material, hidden, parts } = one;
+    let Body { name: _, locked: _, shape, placement, material, hidden, parts, parametric: _ } = one;
     let is_same = other.shape == *shape
         && other.placement == *placement
         && other.material == *material
