@@ -319,7 +319,7 @@ fn changed_bodies(old: &Request, new: &Request) -> Option<Vec<usize>> {
 
 /// What a picture depends on.
 fn traced_body(body: &Body) -> (&Shape, &Placement, &MaterialChoice, bool, &[BodyPart]) {
-    let Body { name: _, locked: _, shape, placement, material, hidden, parts } = body;
+    let Body { name: _, locked: _, shape, placement, material, hidden, parts, parametric: _ } = body;
     (shape, placement, material, *hidden, parts)
 }
 

@@ -41,8 +41,8 @@ pub use material::{
     MetalOptics, Mirror, Model, NamedMaterial, Pattern, Phong, RefractiveIndex, Share, ThinDielectric,
 };
 pub use parametric::{
-    BodyShape, Bowl, DishDepth, DishProfile, Expansion, Lens, LensCurvature, MirrorDish, ParametricShape, Prism, Ring,
-    Tube, Wedge,
+    BodyShape, Bowl, DishDepth, DishProfile, Expansion, Lens, LensCurvature, MirrorDish, ParametricShape,
+    Prism, Ring, Tube, Wedge,
 };
 pub use part::ScenePart;
 pub use placement::{Anchor, Placement};

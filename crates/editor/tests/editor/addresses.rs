@@ -35,7 +35,20 @@ position = [1.0, 0.0, 0.0]
 ";
 
 /// What can be wrong with values that are valid by themselves.
-const RULES: [&str; 4] = ["`target` and", "`up` is", "`base` and `top` are", "`focal_length` gives a height"];
+const RULES: [&str; 12] = [
+    "`target` and",
+    "`up` is",
+    "`base` and `top` are",
+    "`focal_length` ",
+    "`inner_radius` is not smaller",
+    "`thickness` is not smaller",
+    "the rim of this",
+    "a face with a radius",
+    "the faces of this lens",
+    "the ball of a face",
+    "a lens whose index",
+    "no lens of this",
+];
 
 /// Values of a key at the ends of what it can be and between.
 fn values(scene: &Scene, key: &KeySpec) -> Vec<SceneValue> {
@@ -67,7 +80,11 @@ fn edits(scene: &Scene, key: &SceneKey, value: Option<SceneValue>) -> Vec<SceneE
     let partner = key.spec.requires.filter(|_| own.value.is_some()).and_then(|name| {
         let (table, _) = text.rsplit_once('.')?;
         let path: ScenePath = format!("{table}.{name}").parse().ok()?;
-        let value = if *key.spec.name == *"layer" { "builtin:grid".into() } else { [1.0, 2.0, 3.0].into() };
+        let value = match key.spec.name {
+            "layer" => "builtin:grid".into(),
+            "ior" => 2.0.into(),
+            _ => [1.0, 2.0, 3.0].into(),
+        };
         scene.get(&path).is_err().then_some(SceneEdit { path, value: Some(value) })
     });
     [own].into_iter().chain(partner).collect()

@@ -1,6 +1,6 @@
 //! Known answers of joining bodies and taking them apart.
 
-use catoptric_editor::{Action, ActionError, Editor, bounds};
+use catoptric_editor::{Action, ActionError, Editor, Label, NewBodyPlacement, bounds};
 use catoptric_scene::{Anchor, Body, MaterialChoice, Placement, Scene, ScenePart, Shape, ShapeKind};
 use glam::{DAffine3, DVec3};
 
@@ -163,4 +163,34 @@ fn bounds_of_joined_bodies_hold_them() {
     assert_eq!(joined(ShapeKind::Difference, 1.0), (-1.0, 1.0));
     // What holds nothing is a point.
     assert_eq!(joined(ShapeKind::Intersection, 5.0), (0.0, 0.0));
+}
+
+#[test]
+fn a_lens_is_added_copied_changed_and_taken_apart() {
+    let mut editor = Editor::new(Scene::default());
+    for shape in ShapeKind::PARAMETRIC {
+        let placement = NewBodyPlacement { size: 2.0, ..NewBodyPlacement::at(DVec3::Y) };
+        act(&mut editor, &Action::AddBody { shape, placement, name: String::new() });
+        let body = &editor.scene().bodies[editor.scene().bodies.len() - 1];
+        assert_eq!((body.body_shape().kind(), body.name.as_str()), (shape, shape.key()));
+        let bottom = bounds::of_body(body).unwrap().min.y;
+        assert!((bottom - 1.0).abs() < 1e-12, "{shape:?} stands at {bottom}");
+    }
+    editor.select_parts([ScenePart::Body(0)]);
+    act(&mut editor, &Action::Duplicate);
+    let lens = |editor: &Editor, index: usize| editor.scene().bodies[index].body_shape();
+    assert_eq!(lens(&editor, 0), lens(&editor, editor.scene().bodies.len() - 1));
+    let before = lens(&editor, 0);
+    let change = |body: &mut Body| body.change_shape(|shape| shape.set_number("focal_length", 4.0));
+    assert_eq!(editor.change_body(0, Label::new("edit-focal-length", "lens"), change), Ok(true));
+    assert!(editor.settle());
+    assert_eq!(lens(&editor, 0).number("focal_length"), Some(4.0));
+    assert!(editor.undo());
+    assert_eq!(lens(&editor, 0), before);
+    editor.select_parts([ScenePart::Body(0)]);
+    let count = editor.scene().bodies[0].parts.len();
+    act(&mut editor, &Action::TakeApart);
+    let kinds: Vec<ShapeKind> =
+        editor.scene().bodies.iter().take(count).map(|body| body.body_shape().kind()).collect();
+    assert_eq!(kinds, [ShapeKind::Cylinder, ShapeKind::Sphere, ShapeKind::Sphere]);
 }

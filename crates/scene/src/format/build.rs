@@ -391,9 +391,7 @@ fn check_company(fields: &mut Fields<'_, '_, '_>, help: &Message) {
                 None => finding,
             });
         }
-        // Of two that exclude each other one is enough.
-        let excluded = if reported.contains(&key.name) { &[] } else { key.excludes };
-        for &other in excluded {
+        for &other in key.excludes {
             let Some(other_span) = fields.key_span(other) else { continue };
             if reported.contains(&other) {
                 continue;

@@ -12,7 +12,7 @@ use crate::material::{
     Attenuation, Checker, DEFAULT_METAL, Dielectric, METAL_NAMES, Model, Pattern, Phong, RefractiveIndex,
     SUBSTANCE_NAMES,
 };
-use crate::parametric::{DishProfile, Prism};
+use crate::parametric::{DishProfile, Lens, Prism};
 use crate::shape::ShapeKind;
 
 /// Versions of the format that can be read; the last one is written.
@@ -431,18 +431,7 @@ const RADIUS: KeySpec = KeySpec::new(
 ]))
 .only(
     "shape",
-    &[
-        "sphere",
-        "cylinder",
-        "cone",
-        "paraboloid",
-        "lens",
-        "mirror-dish",
-        "tube",
-        "ring",
-        "bowl",
-        "prism",
-    ],
+    &["sphere", "cylinder", "cone", "paraboloid", "lens", "mirror-dish", "tube", "ring", "bowl", "prism"],
 )
 .written();
 const INNER_RADIUS: KeySpec = KeySpec::new(
@@ -502,13 +491,14 @@ const FOCAL_LENGTH: KeySpec = KeySpec::new(
 )
 .or(Default::ByChoice(&[("mirror-dish", 0.5)]))
 .only("shape", &["paraboloid", "lens", "mirror-dish"])
-.excluding(&["height", "curvature_radius", "back_radius"])
+.excluding(&["height", "back_radius"])
 .written();
 const LENS_IOR: KeySpec = KeySpec::new(
     "ior",
     Kind::Number(Limits::new(0.01, 100.0)),
-    "the index of refraction that the focal length of a lens holds for, by default 1.5",
+    "the index of refraction that the focal length of a lens holds for",
 )
+.or(Default::Number(Lens::DEFAULT_IOR))
 .only("shape", &["lens"])
 .beside("focal_length", &[]);
 const CURVATURE_RADIUS: KeySpec = KeySpec::new(
@@ -533,7 +523,6 @@ const BACK_RADIUS: KeySpec = KeySpec::new(
 )
 .or(Default::Number(-1.0))
 .only("shape", &["lens"])
-.excluding(&["focal_length", "ior"])
 .written();
 const BASE: KeySpec = KeySpec::new(
     "base",

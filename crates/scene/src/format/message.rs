@@ -13,8 +13,8 @@ pub(crate) use catalog::Message;
 pub(crate) use phrase::{
     Collection, Component, Conjunction, Enumeration, FoundValue, KeyMeaning, Requirement, Subject,
 };
-pub(crate) use size::{SizeFault, SizeHelp};
 pub use phrase::{Number, Phrase, Sentence};
+pub(crate) use size::{SizeFault, SizeHelp};
 
 #[cfg(test)]
 mod tests;

@@ -83,8 +83,7 @@ fn prisms_and_wedges_end_at_their_corners() {
             0.7 * dvec3(angle.sin(), 0.0, angle.cos())
         };
         assert_is(ParametricShape::Prism(prism), |point, _| {
-            let is_inside =
-                |side| (corner(side + 1) - corner(side)).cross(point - corner(side)).y > 0.0;
+            let is_inside = |side| (corner(side + 1) - corner(side)).cross(point - corner(side)).y > 0.0;
             point.y > 0.0 && point.y < 0.3 && (0..sides).all(is_inside)
         });
         // A side along an axis of the box is the box's own.
@@ -103,14 +102,17 @@ fn prisms_and_wedges_end_at_their_corners() {
 
 #[test]
 fn dishes_are_cut_by_their_profile() {
-    for depth in [DishDepth::FocalLength(0.5), DishDepth::FocalLength(20.0), DishDepth::CurvatureRadius(0.51)] {
+    for depth in [DishDepth::FocalLength(0.5), DishDepth::FocalLength(20.0), DishDepth::CurvatureRadius(0.51)]
+    {
         for profile in [DishProfile::Parabolic, DishProfile::Spherical] {
             let dish = MirrorDish { radius: 0.5, thickness: 0.1, profile, depth };
             let curvature = 2.0 * dish.focal_length();
             assert_is(ParametricShape::MirrorDish(dish), |point, across| {
                 let face = match profile {
                     DishProfile::Parabolic => across * across / (2.0 * curvature),
-                    DishProfile::Spherical => curvature - (curvature.powi(2) - across.powi(2)).max(0.0).sqrt(),
+                    DishProfile::Spherical => {
+                        curvature - (curvature.powi(2) - across.powi(2)).max(0.0).sqrt()
+                    }
                 };
                 across < 0.5 && point.y > -0.1 && point.y < face
             });
@@ -236,8 +238,7 @@ fn a_changed_expansion_is_a_body_of_parts() {
 fn sizes_that_contradict_each_other_are_problems() {
     let lens = |radius, thickness, curvature| ParametricShape::Lens(Lens { radius, thickness, curvature });
     let radii = |front, back| LensCurvature::Radii { front, back };
-    let focal =
-        |focal_length, ior, front| LensCurvature::FocalLength { focal_length, ior, front };
+    let focal = |focal_length, ior, front| LensCurvature::FocalLength { focal_length, ior, front };
     let dish = |profile, depth| {
         ParametricShape::MirrorDish(MirrorDish { radius: 0.5, thickness: 0.1, profile, depth })
     };
@@ -253,30 +254,26 @@ fn sizes_that_contradict_each_other_are_problems() {
             "`inner_radius` is not smaller than `radius`",
             "`inner_radius` не меньше, чем `radius`",
         ),
-        (
-            bowl(0.5, None),
-            "`thickness` is not smaller than `radius`",
-            "`thickness` не меньше, чем `radius`",
-        ),
+        (bowl(0.5, None), "`thickness` is not smaller than `radius`", "`thickness` не меньше, чем `radius`"),
         (
             bowl(0.1, Some(0.95)),
             "the rim of this bowl must be higher than 0.1 and lower than 0.9 meters",
-            "край этой чаши должен быть выше 0.1 и ниже 0.9 м",
+            "край этой чаши должен быть выше 0,1 и ниже 0,9 м",
         ),
         (
             lens(0.5, 0.3, radii(0.5, 0.0)),
             "a face with a radius of curvature of 0.5 meters is too small for this `radius`",
-            "поверхность с радиусом кривизны 0.5 м мала для такого `radius`",
+            "поверхность с радиусом кривизны 0,5 м мала для такого `radius`",
         ),
         (
             lens(0.5, 0.2, radii(1.0, -1.0)),
             "the faces of this lens meet before the rim unless it is thicker than 0.267949 meters",
-            "поверхности линзы сходятся до края, если она не толще 0.267949 м",
+            "поверхности линзы сходятся до края, если она не толще 0,267949 м",
         ),
         (
             lens(0.5, 1.9, radii(1.0, 0.0)),
             "the ball of a face ends within this lens unless it is thinner than 1.86603 meters",
-            "шар одной из поверхностей кончается внутри линзы, если она не тоньше 1.86603 м",
+            "шар одной из поверхностей кончается внутри линзы, если она не тоньше 1,86603 м",
         ),
         (
             lens(0.5, 0.3, focal(1.0, 1.0, None)),
@@ -291,12 +288,12 @@ fn sizes_that_contradict_each_other_are_problems() {
         (
             lens(0.5, 0.3, focal(0.4, 1.5, None)),
             "a face with a radius of curvature of 0.341421 meters is too small for this `radius`",
-            "поверхность с радиусом кривизны 0.341421 м мала для такого `radius`",
+            "поверхность с радиусом кривизны 0,341421 м мала для такого `radius`",
         ),
         (
             dish(DishProfile::Spherical, DishDepth::FocalLength(0.25)),
             "a face with a radius of curvature of 0.5 meters is too small for this `radius`",
-            "поверхность с радиусом кривизны 0.5 м мала для такого `radius`",
+            "поверхность с радиусом кривизны 0,5 м мала для такого `radius`",
         ),
         (
             dish(DishProfile::Parabolic, DishDepth::FocalLength(1e9)),
@@ -306,7 +303,7 @@ fn sizes_that_contradict_each_other_are_problems() {
         (
             dish(DishProfile::Parabolic, DishDepth::FocalLength(-1.0)),
             "`focal_length` is -1, but must be greater than 0",
-            "`focal_length` равен -1, а должен быть больше нуля",
+            "`focal_length` равно -1, а должно быть больше 0",
         ),
     ];
     for (shape, english, russian) in cases {
@@ -315,9 +312,8 @@ fn sizes_that_contradict_each_other_are_problems() {
         let said: Vec<_> = problems
             .iter()
             .map(|problem| {
-                [(Language::English, "body 1: "), (Language::Russian, "тело 1: ")].map(|(language, subject)| {
-                    problem.message(language).replacen(subject, "", 1)
-                })
+                [(Language::English, "body 1: "), (Language::Russian, "тело 1: ")]
+                    .map(|(language, subject)| problem.message(language).replacen(subject, "", 1))
             })
             .collect();
         assert_eq!(said, [[english, russian].map(str::to_owned)], "{shape:?}");

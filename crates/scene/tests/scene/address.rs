@@ -479,6 +479,9 @@ fn check_key(before: &Scene, key: &SceneKey, random: &mut Random) -> Result<(), 
             "the ball of a face",
             "a lens whose index",
             "no lens of this",
+            "this union has",
+            "this intersection has",
+            "this difference has",
         ];
         let error = error.to_string();
         prop_assert!(

@@ -2,11 +2,10 @@
 
 use catoptric_optics::{CLEAR, METALS};
 use catoptric_scene::{
-    BodyShape, ShapeKind,
-    Anchor, Attenuation, Body, BodyPart, Camera, Checker, CheckerSpace, Coated, Color, Conductor, Dielectric,
-    Environment, Falloff, Image, ImageSource, Light, Material, MaterialChoice, Matte, MetalOptics, Mirror,
-    Model, NamedMaterial, ParaboloidDepth, Pattern, Phong, Placement, Projection, RefractiveIndex, Scene,
-    Shape, Sky, Surroundings, ThinDielectric, Tracing,
+    Anchor, Attenuation, Body, BodyPart, BodyShape, Camera, Checker, CheckerSpace, Coated, Color, Conductor,
+    Dielectric, Environment, Falloff, Image, ImageSource, Light, Material, MaterialChoice, Matte,
+    MetalOptics, Mirror, Model, NamedMaterial, ParaboloidDepth, Pattern, Phong, Placement, Projection,
+    RefractiveIndex, Scene, Shape, ShapeKind, Sky, Surroundings, ThinDielectric, Tracing,
 };
 use glam::DVec3;
 use proptest::prelude::*;

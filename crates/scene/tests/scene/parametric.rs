@@ -1,7 +1,7 @@
 //! Lenses, tubes and others in files and at addresses: they stay what they are.
 
 use catoptric_scene::{
-    BodyShape, Lens, LensCurvature, ParametricShape, Scene, Shape, read, update, write,
+    BodyShape, Lens, LensCurvature, ParametricShape, Scene, SceneEdit, Shape, read, update, write,
 };
 
 const BENCH: &str = r#"format = "catoptric/1"
@@ -39,6 +39,11 @@ fn set(scene: &mut Scene, path: &str, value: f64) {
     scene.set(&path.parse().unwrap(), value).unwrap();
 }
 
+fn edit(scene: &mut Scene, edits: &[&str]) {
+    let edits: Vec<SceneEdit> = edits.iter().map(|edit| edit.parse().unwrap()).collect();
+    scene.edit(&edits).unwrap();
+}
+
 #[test]
 fn a_lens_is_read_changed_and_written_as_a_lens() {
     let mut scene = bench();
@@ -53,8 +58,11 @@ fn a_lens_is_read_changed_and_written_as_a_lens() {
     let changed = update(BENCH, &scene);
     assert_eq!(changed, BENCH.replace("focal_length = 1.0", "focal_length = 2.0"));
     assert_eq!(read(&changed).into_result().unwrap().value, scene);
-    // A radius of the back takes the place of the focal length.
-    set(&mut scene, "bodies.lens.back_radius", 0.0);
+    // The radius of the back stands in the place of the focal length.
+    let back = "bodies.lens.back_radius".parse().unwrap();
+    let error = scene.set(&back, 0.0).unwrap_err().to_string();
+    assert!(error.contains("`back_radius` cannot stand beside `focal_length`"), "{error}");
+    edit(&mut scene, &["bodies.lens.focal_length=", "bodies.lens.back_radius=0"]);
     assert!(scene.get(&"bodies.lens.focal_length".parse().unwrap()).is_err());
     assert_eq!(scene.get(&"bodies.lens.front_radius".parse().unwrap()), Ok(1.0.into()));
     let error = scene.set(&"bodies.lens.radius".parse().unwrap(), 1.5).unwrap_err().to_string();
@@ -72,7 +80,8 @@ fn parts_are_what_they_are_too() {
     assert!(!text.contains("[[bodies.parts.parts]]"), "{text}");
     set(&mut scene, "bodies.optics.parts.prism.sides", 4.0);
     assert_eq!(scene.bodies[1].parts[2].parts.len(), 1);
-    set(&mut scene, "bodies.optics.parts.mirror.focal_length", 1.0);
+    let mirror = "bodies.optics.parts.mirror";
+    edit(&mut scene, &[&format!("{mirror}.curvature_radius="), &format!("{mirror}.focal_length=1")]);
     assert!(write(&scene).contains("profile = \"spherical\"\nfocal_length = 1.0"));
     let inside = "bodies.optics.parts.stop.parts.0.radius".parse().unwrap();
     let error = scene.set(&inside, 1.0).unwrap_err().to_string();

@@ -48,21 +48,27 @@ impl Phrase for SizeFault {
             Self::FaceTooNarrow { radius } => {
                 let radius = number(radius);
                 [
-                    format!("a face with a radius of curvature of {radius} meters is too small for this `radius`"),
+                    format!(
+                        "a face with a radius of curvature of {radius} meters is too small for this `radius`"
+                    ),
                     format!("поверхность с радиусом кривизны {radius} м мала для такого `radius`"),
                 ]
             }
             Self::LensTooThin { least } => {
                 let least = number(least);
                 [
-                    format!("the faces of this lens meet before the rim unless it is thicker than {least} meters"),
+                    format!(
+                        "the faces of this lens meet before the rim unless it is thicker than {least} meters"
+                    ),
                     format!("поверхности линзы сходятся до края, если она не толще {least} м"),
                 ]
             }
             Self::LensTooThick { most } => {
                 let most = number(most);
                 [
-                    format!("the ball of a face ends within this lens unless it is thinner than {most} meters"),
+                    format!(
+                        "the ball of a face ends within this lens unless it is thinner than {most} meters"
+                    ),
                     format!("шар одной из поверхностей кончается внутри линзы, если она не тоньше {most} м"),
                 ]
             }
@@ -76,7 +82,8 @@ impl Phrase for SizeFault {
             ],
             Self::DishDepth => [
                 "the rim of this dish is less than 1e-9 or more than 1e9 meters above its vertex".to_owned(),
-                "край этого зеркала выше его вершины меньше чем на 1e-9 или больше чем на 1e9 метров".to_owned(),
+                "край этого зеркала выше его вершины меньше чем на 1e-9 или больше чем на 1e9 метров"
+                    .to_owned(),
             ],
         };
         of_both(language, english, russian)

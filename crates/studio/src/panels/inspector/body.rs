@@ -86,7 +86,8 @@ static LENS_IOR: NumberRow<Body> = NumberRow::<Body>::new(
 );
 
 static CURVATURE_RADIUS: NumberRow<Body> = NumberRow::<Body>::new(
-    RowQuantity::new("curvature-radius", "edit-curvature-radius", &keys::BODY, "curvature_radius").in_unit(Unit::Meters),
+    RowQuantity::new("curvature-radius", "edit-curvature-radius", &keys::BODY, "curvature_radius")
+        .in_unit(Unit::Meters),
     SliderRail::None,
     |body| body.body_shape().shown_number("curvature_radius"),
     |body, value| body.change_shape(|shape| shape.set_number("curvature_radius", value)),

@@ -19,8 +19,7 @@ pub(super) fn reshape(body: &mut Body, kind: ShapeKind) {
     to_frame(body);
     let before = body.form().extent();
     // A plane has no sizes to carry over.
-    let (radius, height) =
-        before.map_or((0.5, 1.0), |[min, max]| (0.5 * (max.x - min.x), max.y - min.y));
+    let (radius, height) = before.map_or((0.5, 1.0), |[min, max]| (0.5 * (max.x - min.x), max.y - min.y));
     body.set_shape(BodyShape::of_size(kind, radius, height));
     let bottom = |[min, _]: [DVec3; 2]| min.y;
     let middle = |[min, max]: [DVec3; 2]| 0.5 * (min.y + max.y);
