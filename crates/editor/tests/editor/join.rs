@@ -122,7 +122,7 @@ fn joining_takes_two_bodies_and_taking_apart_one_of_parts() {
     assert!(matches!(gray(&mut editor, &join(ShapeKind::Union)), ActionError::Locked));
     let body = Action::AddBody {
         shape: ShapeKind::Union,
-        placement: catoptric_editor::NewBodyPlacement::at(DVec3::ZERO),
+        placement: NewBodyPlacement::at(DVec3::ZERO),
         name: String::new(),
     };
     assert!(matches!(gray(&mut editor, &body), ActionError::NothingToDo));

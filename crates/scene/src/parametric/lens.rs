@@ -223,7 +223,7 @@ impl Parametric for Lens {
         }
         // A bulging face is a part of a ball, whose far side must lie beyond the other face, from axis to rim.
         let beyond = |[face, sag, other]: [f64; 3]| {
-            (face > 0.0).then(|| (2.0 * face).min(2.0 * face - sag + other)).unwrap_or(f64::INFINITY)
+            if face > 0.0 { (2.0 * face).min(2.0 * face - sag + other) } else { f64::INFINITY }
         };
         let most = beyond([faces[0].bulge, sags[0], sags[1]]).min(beyond([faces[1].bulge, sags[1], sags[0]]));
         let too_thick = SizeFault::LensTooThick { most: shown(most) };
