@@ -2,9 +2,10 @@
 
 use glam::{DAffine3, DVec3};
 
-use crate::compound::{BodyPart, Form, box_corners, each_part_mut, part_materials};
+use crate::compound::{
+    BodyPart, BodyShape, Form, ParametricShape, box_corners, each_part_mut, part_materials,
+};
 use crate::material::MaterialChoice;
-use crate::parametric::ParametricShape;
 use crate::placement::Placement;
 use crate::shape::Shape;
 
@@ -31,6 +32,30 @@ pub struct Body {
 }
 
 impl Body {
+    /// A body of this shape at the origin; one that consists of parts has none yet.
+    pub fn of_shape(shape: BodyShape) -> Self {
+        let mut body = Self::default();
+        body.set_shape(shape);
+        body
+    }
+
+    /// The shape as files and inspectors say it.
+    pub fn body_shape(&self) -> BodyShape {
+        self.form().body_shape()
+    }
+
+    /// Gives the body another shape. One that is given its parts keeps those that the body has.
+    pub fn set_shape(&mut self, shape: BodyShape) {
+        (self.shape, self.parts, self.parametric) = shape.into_form(std::mem::take(&mut self.parts));
+    }
+
+    /// Changes the sizes of its shape.
+    pub fn change_shape(&mut self, change: impl FnOnce(&mut BodyShape)) {
+        let mut shape = self.body_shape();
+        change(&mut shape);
+        self.set_shape(shape);
+    }
+
     /// Its geometry.
     pub fn form(&self) -> Form<'_> {
         let expanded = self.parametric.as_deref();

@@ -1,9 +1,16 @@
 //! Compound bodies: unions, intersections, differences and groups of parts.
 
+mod parametric;
+
 use glam::{DAffine3, DVec3};
 
+pub use parametric::{
+    BodyShape, Bowl, DishDepth, DishProfile, Expansion, Lens, LensCurvature, MirrorDish, ParametricShape,
+    Prism, Ring, Tube, Wedge,
+};
+pub(crate) use parametric::{BrokenSize, SizeFault};
+
 use crate::material::MaterialChoice;
-use crate::parametric::ParametricShape;
 use crate::placement::{Anchor, Placement};
 use crate::shape::Shape;
 

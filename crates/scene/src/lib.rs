@@ -13,7 +13,6 @@ mod language;
 mod light;
 mod list;
 mod material;
-mod parametric;
 mod part;
 mod placement;
 mod scene_images;
@@ -23,7 +22,10 @@ mod text;
 pub use body::Body;
 pub use camera::{Camera, Projection};
 pub use color::Color;
-pub use compound::{BodyPart, Form, SimplePart};
+pub use compound::{
+    BodyPart, BodyShape, Bowl, DishDepth, DishProfile, Expansion, Form, Lens, LensCurvature, MirrorDish,
+    ParametricShape, Prism, Ring, SimplePart, Tube, Wedge,
+};
 pub use environment::{Environment, Sky, Surroundings};
 pub use examples::Example;
 pub use format::{
@@ -39,10 +41,6 @@ pub use list::{CountedIter, List, ListIter, ListIterMut, ListSlices};
 pub use material::{
     Attenuation, Checker, CheckerSpace, Coated, Conductor, Dielectric, Material, MaterialChoice, Matte,
     MetalOptics, Mirror, Model, NamedMaterial, Pattern, Phong, RefractiveIndex, Share, ThinDielectric,
-};
-pub use parametric::{
-    BodyShape, Bowl, DishDepth, DishProfile, Expansion, Lens, LensCurvature, MirrorDish, ParametricShape,
-    Prism, Ring, Tube, Wedge,
 };
 pub use part::ScenePart;
 pub use placement::{Anchor, Placement};

@@ -11,7 +11,6 @@ mod sphere;
 
 use glam::DVec3;
 
-use crate::parametric::{BodyShape, ParametricShape};
 use crate::shape::cuboid::Cuboid;
 use crate::shape::frustum::Frustum;
 use crate::shape::paraboloid::Paraboloid;
@@ -288,19 +287,19 @@ pub enum ShapeKind {
     Paraboloid,
     /// [`Shape::Plane`].
     Plane,
-    /// [`ParametricShape::Lens`].
+    /// [`ParametricShape::Lens`](crate::ParametricShape::Lens).
     Lens,
-    /// [`ParametricShape::MirrorDish`].
+    /// [`ParametricShape::MirrorDish`](crate::ParametricShape::MirrorDish).
     MirrorDish,
-    /// [`ParametricShape::Tube`].
+    /// [`ParametricShape::Tube`](crate::ParametricShape::Tube).
     Tube,
-    /// [`ParametricShape::Ring`].
+    /// [`ParametricShape::Ring`](crate::ParametricShape::Ring).
     Ring,
-    /// [`ParametricShape::Bowl`].
+    /// [`ParametricShape::Bowl`](crate::ParametricShape::Bowl).
     Bowl,
-    /// [`ParametricShape::Prism`].
+    /// [`ParametricShape::Prism`](crate::ParametricShape::Prism).
     Prism,
-    /// [`ParametricShape::Wedge`].
+    /// [`ParametricShape::Wedge`](crate::ParametricShape::Wedge).
     Wedge,
     /// [`Shape::Union`].
     Union,
@@ -373,14 +372,6 @@ impl ShapeKind {
     /// The shape of this name.
     pub fn of_key(key: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|kind| kind.key() == key)
-    }
-
-    /// The shape in its default size, as files and inspectors say it.
-    pub fn body_shape(self) -> BodyShape {
-        match ParametricShape::of_kind(self) {
-            Some(shape) => BodyShape::Parametric(shape),
-            None => BodyShape::Plain(self.shape()),
-        }
     }
 
     /// The shape in its default size; of what numbers make of parts, how these are joined.

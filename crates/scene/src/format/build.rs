@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use crate::body::Body;
 use crate::camera::{Camera, Projection};
-use crate::compound::BodyPart;
+use crate::compound::{BodyPart, BodyShape};
 use crate::format::diagnostic::{Diagnostic, Diagnostics};
 use crate::format::keys;
 use crate::format::material;
@@ -19,7 +19,6 @@ use crate::format::tree::Table;
 use crate::format::typed::Fields;
 use crate::light::{Falloff, Light};
 use crate::material::{Material, MaterialChoice};
-use crate::parametric::BodyShape;
 use crate::placement::{Anchor, Placement};
 use crate::shape::ShapeKind;
 use crate::{Environment, Sky, Surroundings, Tracing};

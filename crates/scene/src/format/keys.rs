@@ -7,12 +7,12 @@ pub(crate) mod russian;
 
 use crate::Tracing;
 use crate::color::Color;
+use crate::compound::{DishProfile, Lens, Prism};
 use crate::format::spec::{Default, KeySpec, Kind, Limits, TableSpec};
 use crate::material::{
     Attenuation, Checker, DEFAULT_METAL, Dielectric, METAL_NAMES, Model, Pattern, Phong, RefractiveIndex,
     SUBSTANCE_NAMES,
 };
-use crate::parametric::{DishProfile, Lens, Prism};
 use crate::shape::ShapeKind;
 
 /// Versions of the format that can be read; the last one is written.

@@ -14,7 +14,7 @@ pub(crate) use phrase::{
     Collection, Component, Conjunction, Enumeration, FoundValue, KeyMeaning, Requirement, Subject,
 };
 pub use phrase::{Number, Phrase, Sentence};
-pub(crate) use size::{SizeFault, SizeHelp};
+pub(crate) use size::{size_fault, size_help};
 
 #[cfg(test)]
 mod tests;

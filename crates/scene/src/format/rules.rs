@@ -2,10 +2,10 @@
 
 use glam::{DAffine3, DVec3};
 
-use crate::compound::Form;
-use crate::format::message::{Component, FoundValue, Message, SizeFault, SizeHelp, Subject};
+use crate::compound::{BodyShape, BrokenSize, Form, SizeFault};
+use crate::format::message::{Component, FoundValue, Message, Subject, size_fault, size_help};
 use crate::format::spec::Limits;
-use crate::parametric::BodyShape;
+
 use crate::shape::Shape;
 
 /// Directions are parallel if the sine of the angle between them is less than this: some thousand times the error of
@@ -25,19 +25,18 @@ pub(crate) struct BrokenRule {
 
 impl BrokenRule {
     /// Sizes of a shape that contradict each other.
-    pub(crate) fn of_size(key: &'static str, fault: SizeFault) -> Self {
-        let help = Message::ChangeSizes { help: SizeHelp(fault.clone()) };
-        Self { key, message: Message::Sizes { fault }, help }
-    }
-
-    /// A number that for its shape has closer limits than its key.
-    pub(crate) fn out_of_range(key: &'static str, value: f64, limits: Limits) -> Self {
-        let message = Message::OutOfRange {
-            subject: Subject::component(Component::Whole, key),
-            value: FoundValue::Value(value.into()),
-            requirement: limits.requirement(value),
+    fn of_size(broken: BrokenSize) -> Self {
+        let help = Message::ChangeSizes { help: size_help(broken) };
+        let message = match broken.fault {
+            // For its shape the number has closer limits than its key.
+            SizeFault::NoLength { value } => Message::OutOfRange {
+                subject: Subject::component(Component::Whole, broken.key),
+                value: FoundValue::Value(value.into()),
+                requirement: Limits::LENGTH.requirement(value),
+            },
+            _ => Message::Sizes { fault: size_fault(broken) },
         };
-        Self { key, message, help: Message::LengthAboveZero { key } }
+        Self { key: broken.key, message, help }
     }
 }
 
@@ -87,7 +86,7 @@ pub(crate) fn axis(base: DVec3, top: DVec3) -> Option<BrokenRule> {
 pub(crate) fn sizes(shape: &BodyShape) -> Option<BrokenRule> {
     match shape {
         BodyShape::Plain(shape) => depth(shape),
-        BodyShape::Parametric(shape) => shape.broken_rule(),
+        BodyShape::Parametric(shape) => shape.broken_size().map(BrokenRule::of_size),
     }
 }
 
@@ -95,7 +94,8 @@ pub(crate) fn sizes(shape: &BodyShape) -> Option<BrokenRule> {
 fn depth(shape: &Shape) -> Option<BrokenRule> {
     let length = shape.number("focal_length")?;
     if !Limits::LENGTH.contains(length) {
-        return Some(BrokenRule::out_of_range("focal_length", length, Limits::LENGTH));
+        let fault = SizeFault::NoLength { value: length };
+        return Some(BrokenRule::of_size(BrokenSize { key: "focal_length", fault }));
     }
     (!Limits::LENGTH.contains(shape.height()?)).then_some(BrokenRule {
         key: "focal_length",

@@ -445,6 +445,25 @@ fn stands_alone(key: &KeySpec) -> bool {
         && key.requires.is_none()
 }
 
+/// How errors of rules between several values begin.
+const RULES: [&str; 15] = [
+    "`target` and",
+    "`up` is",
+    "`base` and `top` are",
+    "`focal_length` ",
+    "`inner_radius` is not smaller",
+    "`thickness` is not smaller",
+    "the rim of this",
+    "a face with a radius",
+    "the faces of this lens",
+    "the ball of a face",
+    "a lens whose index",
+    "no lens of this",
+    "this union has",
+    "this intersection has",
+    "this difference has",
+];
+
 /// Sets a random value of a key, and holds the scene against what must be true then.
 fn check_key(before: &Scene, key: &SceneKey, random: &mut Random) -> Result<(), TestCaseError> {
     let SceneKey { path, spec, value: old } = key;
@@ -466,26 +485,9 @@ fn check_key(before: &Scene, key: &SceneKey, random: &mut Random) -> Result<(), 
     let mut scene = before.clone();
     if let Err(error) = scene.edit(&edits) {
         // Only the rules between several values are left to be broken.
-        let rules = [
-            "`target` and",
-            "`up` is",
-            "`base` and `top` are",
-            "`focal_length` ",
-            "`inner_radius` is not smaller",
-            "`thickness` is not smaller",
-            "the rim of this",
-            "a face with a radius",
-            "the faces of this lens",
-            "the ball of a face",
-            "a lens whose index",
-            "no lens of this",
-            "this union has",
-            "this intersection has",
-            "this difference has",
-        ];
         let error = error.to_string();
         prop_assert!(
-            rules.iter().any(|rule| error.starts_with(rule)) || error.contains("needs at least one part"),
+            RULES.iter().any(|rule| error.starts_with(rule)) || error.contains("needs at least one part"),
             "{path} = {value}: {error}"
         );
         prop_assert_eq!(&scene, before);

@@ -3,7 +3,6 @@
 use crate::format::message::phrase::{
     Collection, Enumeration, FoundValue, KeyMeaning, Requirement, Sentence, Subject,
 };
-use crate::format::message::size::{SizeFault, SizeHelp};
 use crate::format::message::syntax::SyntaxFault;
 use crate::format::spec::{Kind, TableSpec};
 use crate::image::ImageError;
@@ -276,15 +275,12 @@ messages! {
     HeightOfParaboloid:
         "the height of a paraboloid is the square of `radius` over four times `focal_length`; change one of them",
         "высота параболоида равна квадрату `radius`, делённому на учетверённый `focal_length`; измените один из ключей";
-    Sizes { fault: SizeFault }:
+    Sizes { fault: Sentence }:
         "{fault}",
         "{fault}";
-    ChangeSizes { help: SizeHelp }:
+    ChangeSizes { help: Sentence }:
         "{help}",
         "{help}";
-    LengthAboveZero { key: &'static str }:
-        "`{key}` of this shape is a length above 0",
-        "`{key}` у этой формы — длина больше нуля";
 
     // Bodies of parts.
     NoParts { shape: &'static str }:

@@ -2,10 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Expansion, MARGIN, Parametric, cylinder, part, positive, round_extent, shown};
-use crate::format::message::SizeFault;
-use crate::format::rules::BrokenRule;
-use crate::format::spec::Limits;
+use super::{BrokenSize, Expansion, MARGIN, Parametric, SizeFault, cylinder, is_length, part, round_extent};
 use crate::shape::{ParaboloidDepth, Shape};
 
 /// A solid disc with a concave face that opens along +Y from its vertex at the origin; its back is flat.
@@ -123,11 +120,11 @@ impl Parametric for MirrorDish {
         }
     }
 
-    fn broken_rule(&self) -> Option<BrokenRule> {
+    fn broken_size(&self) -> Option<BrokenSize> {
         let key = match self.depth {
             DishDepth::FocalLength(length) => {
-                if let Some(broken) = positive("focal_length", length) {
-                    return Some(broken);
+                if !is_length(length) {
+                    return Some(SizeFault::NoLength { value: length }.at("focal_length"));
                 }
                 "focal_length"
             }
@@ -135,10 +132,10 @@ impl Parametric for MirrorDish {
         };
         let curvature = 2.0 * self.focal_length();
         if self.profile == DishProfile::Spherical && curvature <= self.radius {
-            let fault = SizeFault::FaceTooNarrow { radius: shown(curvature) };
-            return Some(BrokenRule::of_size(key, fault));
+            let fault = SizeFault::FaceTooNarrow { radius: curvature };
+            return Some(fault.at(key));
         }
-        (!Limits::LENGTH.contains(self.rim())).then(|| BrokenRule::of_size(key, SizeFault::DishDepth))
+        (!is_length(self.rim())).then(|| SizeFault::DishDepth.at(key))
     }
 
     fn extent(&self) -> [DVec3; 2] {

@@ -3,8 +3,7 @@
 use glam::DVec3;
 
 use super::tube::hollow;
-use super::{Expansion, Parametric, round_extent, smaller};
-use crate::format::rules::BrokenRule;
+use super::{BrokenSize, Expansion, Parametric, round_extent, smaller};
 
 /// A flat ring about the origin; its axis is Y.
 ///
@@ -54,7 +53,7 @@ impl Parametric for Ring {
         }
     }
 
-    fn broken_rule(&self) -> Option<BrokenRule> {
+    fn broken_size(&self) -> Option<BrokenSize> {
         smaller("inner_radius", self.inner_radius, "radius", self.radius)
     }
 

@@ -2,9 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Expansion, MARGIN, Parametric, cuboid, part, round_extent, shown, smaller};
-use crate::format::message::SizeFault;
-use crate::format::rules::BrokenRule;
+use super::{BrokenSize, Expansion, MARGIN, Parametric, SizeFault, cuboid, part, round_extent, smaller};
 use crate::shape::Shape;
 
 /// A bowl that stands on the origin and opens along +Y, with a flat rim.
@@ -67,13 +65,13 @@ impl Parametric for Bowl {
         }
     }
 
-    fn broken_rule(&self) -> Option<BrokenRule> {
+    fn broken_size(&self) -> Option<BrokenSize> {
         let too_thick = smaller("thickness", self.thickness, "radius", self.radius);
         let (least, most) = (self.thickness, 2.0 * self.radius - self.thickness);
         let is_open = self.rim() > least && self.rim() < most;
         let closed = || {
-            let fault = SizeFault::BowlClosed { least: shown(least), most: shown(most) };
-            (!is_open).then(|| BrokenRule::of_size("height", fault))
+            let fault = SizeFault::BowlClosed { least, most };
+            (!is_open).then(|| fault.at("height"))
         };
         too_thick.or_else(closed)
     }

@@ -2,9 +2,8 @@
 
 use glam::DVec3;
 
-use super::{Expansion, MARGIN, Parametric, cylinder, round_extent, smaller};
+use super::{BrokenSize, Expansion, MARGIN, Parametric, cylinder, round_extent, smaller};
 use crate::compound::BodyPart;
-use crate::format::rules::BrokenRule;
 
 /// A tube from the origin along +Y, open at both ends.
 ///
@@ -61,7 +60,7 @@ impl Parametric for Tube {
         }
     }
 
-    fn broken_rule(&self) -> Option<BrokenRule> {
+    fn broken_size(&self) -> Option<BrokenSize> {
         smaller("inner_radius", self.inner_radius, "radius", self.radius)
     }
 

@@ -4,7 +4,7 @@ use glam::dvec3;
 
 use super::*;
 use crate::language::Language;
-use crate::{DishProfile, Scene};
+use crate::{Body, Scene};
 
 /// Whether a point lies in a body of parts, by the definitions of shapes and kinds of wholes.
 fn holds(form: &Form<'_>, point: DVec3) -> bool {
@@ -34,7 +34,7 @@ fn points(count: u32) -> impl Iterator<Item = DVec3> {
 
 /// The parts hold the points that the formula does, and the extent is the least box around them.
 fn assert_is(shape: ParametricShape, formula: impl Fn(DVec3, f64) -> bool) {
-    assert_eq!(shape.broken_rule(), None, "{shape:?}");
+    assert_eq!(shape.broken_size(), None, "{shape:?}");
     let body = Body::of_shape(BodyShape::Parametric(shape));
     let [min, max] = body.form().extent().unwrap();
     let (middle, half) = (0.5 * (min + max), 0.5 * (max - min));
@@ -186,7 +186,7 @@ fn paraxial_rays_meet_at_the_focal_length() {
     ];
     for lens in lenses {
         let LensCurvature::FocalLength { focal_length, ior, .. } = lens.curvature else { panic!() };
-        assert_eq!(ParametricShape::Lens(lens).broken_rule(), None, "{lens:?}");
+        assert_eq!(ParametricShape::Lens(lens).broken_size(), None, "{lens:?}");
         // Refraction at a face of the power (n' − n) / R, twice (Hecht, sec. 6.2.1), with a transfer between.
         let [front, back] = faces_of(lens).map(|radius| if radius == 0.0 { 0.0 } else { 1.0 / radius });
         let (height, angle) = (1.0, 0.0);
@@ -234,8 +234,8 @@ fn a_changed_expansion_is_a_body_of_parts() {
     assert_eq!((body.parts.len(), body.parametric), (2, None));
 }
 
-#[test]
-fn sizes_that_contradict_each_other_are_problems() {
+/// Shapes whose sizes are wrong together, and what is said of them in English and in Russian.
+fn contradictions() -> [(ParametricShape, &'static str, &'static str); 13] {
     let lens = |radius, thickness, curvature| ParametricShape::Lens(Lens { radius, thickness, curvature });
     let radii = |front, back| LensCurvature::Radii { front, back };
     let focal = |focal_length, ior, front| LensCurvature::FocalLength { focal_length, ior, front };
@@ -243,7 +243,7 @@ fn sizes_that_contradict_each_other_are_problems() {
         ParametricShape::MirrorDish(MirrorDish { radius: 0.5, thickness: 0.1, profile, depth })
     };
     let bowl = |thickness, height| ParametricShape::Bowl(Bowl { radius: 0.5, thickness, height });
-    let cases = [
+    [
         (
             ParametricShape::Tube(Tube { radius: 0.4, inner_radius: 0.4, height: 1.0 }),
             "`inner_radius` is not smaller than `radius`",
@@ -305,8 +305,12 @@ fn sizes_that_contradict_each_other_are_problems() {
             "`focal_length` is -1, but must be greater than 0",
             "`focal_length` равно -1, а должно быть больше 0",
         ),
-    ];
-    for (shape, english, russian) in cases {
+    ]
+}
+
+#[test]
+fn sizes_that_contradict_each_other_are_problems() {
+    for (shape, english, russian) in contradictions() {
         let body = Body::of_shape(BodyShape::Parametric(shape));
         let problems = Scene { bodies: [body].into(), ..Scene::default() }.check();
         let said: Vec<_> = problems

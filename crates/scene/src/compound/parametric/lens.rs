@@ -2,10 +2,8 @@
 
 use glam::DVec3;
 
-use super::{Expansion, MARGIN, Parametric, cylinder, part, round_extent, shown};
+use super::{BrokenSize, Expansion, MARGIN, Parametric, SizeFault, cylinder, part, round_extent};
 use crate::compound::BodyPart;
-use crate::format::message::SizeFault;
-use crate::format::rules::BrokenRule;
 use crate::shape::Shape;
 
 /// A lens about the origin; its axis is Y, its front at −Y and its back at +Y.
@@ -141,14 +139,14 @@ impl Lens {
         }
     }
 
-    fn broken_focal_length(&self) -> Option<BrokenRule> {
+    fn broken_focal_length(&self) -> Option<BrokenSize> {
         let LensCurvature::FocalLength { ior, .. } = self.curvature else { return None };
         if ior == 1.0 {
-            return Some(BrokenRule::of_size("ior", SizeFault::NoRefraction));
+            return Some(SizeFault::NoRefraction.at("ior"));
         }
         let fault = || {
-            let at_least = shown(self.thickness / ior);
-            BrokenRule::of_size("focal_length", SizeFault::NoSuchLens { at_least })
+            let at_least = self.thickness / ior;
+            SizeFault::NoSuchLens { at_least }.at("focal_length")
         };
         self.radii().is_none().then(fault)
     }
@@ -206,28 +204,28 @@ impl Parametric for Lens {
         }
     }
 
-    fn broken_rule(&self) -> Option<BrokenRule> {
+    fn broken_size(&self) -> Option<BrokenSize> {
         if let Some(broken) = self.broken_focal_length() {
             return Some(broken);
         }
         let (faces, rim, thickness) = (self.faces(), self.radius, self.thickness);
         let is_narrow = |face: &&Face| face.bulge != 0.0 && face.bulge.abs() <= rim;
         if let Some(face) = faces.iter().find(is_narrow) {
-            let fault = SizeFault::FaceTooNarrow { radius: shown(face.bulge.abs()) };
-            return Some(BrokenRule::of_size(self.key_of(face), fault));
+            let fault = SizeFault::FaceTooNarrow { radius: face.bulge.abs() };
+            return Some(fault.at(self.key_of(face)));
         }
         let sags = faces.map(|face| face.sag(rim));
         let least = sags[0] + sags[1];
         if thickness <= least {
-            return Some(BrokenRule::of_size("thickness", SizeFault::LensTooThin { least: shown(least) }));
+            return Some(SizeFault::LensTooThin { least }.at("thickness"));
         }
         // A bulging face is a part of a ball, whose far side must lie beyond the other face, from axis to rim.
         let beyond = |[face, sag, other]: [f64; 3]| {
             if face > 0.0 { (2.0 * face).min(2.0 * face - sag + other) } else { f64::INFINITY }
         };
         let most = beyond([faces[0].bulge, sags[0], sags[1]]).min(beyond([faces[1].bulge, sags[1], sags[0]]));
-        let too_thick = SizeFault::LensTooThick { most: shown(most) };
-        (thickness >= most).then(|| BrokenRule::of_size("thickness", too_thick))
+        let too_thick = SizeFault::LensTooThick { most };
+        (thickness >= most).then(|| too_thick.at("thickness"))
     }
 
     fn extent(&self) -> [DVec3; 2] {

@@ -2,9 +2,8 @@
 
 use glam::DVec3;
 
-use super::{Expansion, MARGIN, Parametric, cuboid};
+use super::{BrokenSize, Expansion, MARGIN, Parametric, cuboid};
 use crate::compound::BodyPart;
-use crate::format::rules::BrokenRule;
 use crate::placement::{Anchor, Placement};
 use crate::shape::Shape;
 
@@ -93,7 +92,7 @@ impl Parametric for Prism {
         }
     }
 
-    fn broken_rule(&self) -> Option<BrokenRule> {
+    fn broken_size(&self) -> Option<BrokenSize> {
         None
     }
 

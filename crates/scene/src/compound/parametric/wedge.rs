@@ -2,9 +2,8 @@
 
 use glam::DVec3;
 
-use super::{Expansion, MARGIN, Parametric, cuboid};
+use super::{BrokenSize, Expansion, MARGIN, Parametric, cuboid};
 use crate::compound::BodyPart;
-use crate::format::rules::BrokenRule;
 use crate::placement::{Anchor, Placement};
 use crate::shape::Shape;
 
@@ -39,7 +38,7 @@ impl Parametric for Wedge {
 
     fn set_number(&mut self, _key: &str, _value: f64) {}
 
-    fn broken_rule(&self) -> Option<BrokenRule> {
+    fn broken_size(&self) -> Option<BrokenSize> {
         None
     }
 

@@ -1,7 +1,7 @@
 //! Parametric shapes: lenses, tubes and others that a few numbers make of parts.
 //!
-//! A parametric shape is a body of parts to everything that traces, measures or draws it: [`Body::shape`] and
-//! [`Body::parts`] are its expansion, and [`Body::parametric`] remembers what they are an expansion of. What a parametric
+//! A parametric shape is a body of parts to everything that traces, measures or draws it: [`Body::shape`](crate::Body::shape) and
+//! [`Body::parts`](crate::Body::parts) are its expansion, and [`Body::parametric`](crate::Body::parametric) remembers what they are an expansion of. What a parametric
 //! shape is stands in a file of its own below `parametric/`: its sizes by their keys, the rules between them, its extent
 //! and its parts.
 
@@ -15,20 +15,17 @@ mod wedge;
 
 use glam::DVec3;
 
-use crate::body::Body;
-use crate::compound::{BodyPart, Form};
-use crate::format::message::{Number, SizeFault};
-use crate::format::rules::BrokenRule;
-use crate::format::spec::Limits;
-pub use crate::parametric::bowl::Bowl;
-pub use crate::parametric::lens::{Lens, LensCurvature};
-pub use crate::parametric::mirror_dish::{DishDepth, DishProfile, MirrorDish};
-pub use crate::parametric::prism::Prism;
-pub use crate::parametric::ring::Ring;
-pub use crate::parametric::tube::Tube;
-pub use crate::parametric::wedge::Wedge;
+use super::{BodyPart, Form};
 use crate::placement::Placement;
 use crate::shape::{Shape, ShapeKind};
+
+pub use bowl::Bowl;
+pub use lens::{Lens, LensCurvature};
+pub use mirror_dish::{DishDepth, DishProfile, MirrorDish};
+pub use prism::Prism;
+pub use ring::Ring;
+pub use tube::Tube;
+pub use wedge::Wedge;
 
 /// A shape that numbers make of parts, each in its own frame (meters).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,7 +58,7 @@ trait Parametric {
     fn set_number(&mut self, key: &str, value: f64);
 
     /// The first rule between its sizes that it breaks. Each size is within the limits of its key.
-    fn broken_rule(&self) -> Option<BrokenRule>;
+    fn broken_size(&self) -> Option<BrokenSize>;
 
     /// The least and the greatest coordinates.
     fn extent(&self) -> [DVec3; 2];
@@ -121,19 +118,53 @@ fn round_extent(radius: f64, bottom: f64, top: f64) -> [DVec3; 2] {
     [DVec3::new(-radius, bottom, -radius), DVec3::new(radius, top, radius)]
 }
 
-/// A length in a message, of six digits.
-fn shown(length: f64) -> Number {
-    Number::from(format!("{length:.5e}").parse().unwrap_or(length))
+/// Sizes of a shape that contradict each other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct BrokenSize {
+    /// The key that is marked.
+    pub(crate) key: &'static str,
+    /// What is wrong.
+    pub(crate) fault: SizeFault,
+}
+
+/// What is wrong with the sizes of a parametric shape. Lengths are in meters.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum SizeFault {
+    /// A size is no length above 0.
+    NoLength { value: f64 },
+    /// A size is not smaller than the one that it lies within.
+    NotSmaller { other: &'static str },
+    /// The rim of a bowl lies where the inner ball is not.
+    BowlClosed { least: f64, most: f64 },
+    /// The ball of a face is not wider than the rim.
+    FaceTooNarrow { radius: f64 },
+    /// The faces of a lens meet before the rim.
+    LensTooThin { least: f64 },
+    /// The ball of a face ends within the lens.
+    LensTooThick { most: f64 },
+    /// A focal length for the index 1.
+    NoRefraction,
+    /// A focal length that no lens of the thickness has.
+    NoSuchLens { at_least: f64 },
+    /// The rim of a dish is too near or too far.
+    DishDepth,
+}
+
+impl SizeFault {
+    /// The fault at a key.
+    const fn at(self, key: &'static str) -> BrokenSize {
+        BrokenSize { key, fault: self }
+    }
 }
 
 /// The size `key` must be smaller than the size `other`.
-fn smaller(key: &'static str, value: f64, other: &'static str, limit: f64) -> Option<BrokenRule> {
-    (value >= limit).then(|| BrokenRule::of_size(key, SizeFault::NotSmaller { key, other }))
+fn smaller(key: &'static str, value: f64, other: &'static str, limit: f64) -> Option<BrokenSize> {
+    (value >= limit).then(|| SizeFault::NotSmaller { other }.at(key))
 }
 
-/// The focal length of a mirror is a length: only a lens has one below 0.
-fn positive(key: &'static str, value: f64) -> Option<BrokenRule> {
-    (!Limits::LENGTH.contains(value)).then(|| BrokenRule::out_of_range(key, value, Limits::LENGTH))
+/// Whether a number is within the limits of lengths in scene files.
+fn is_length(value: f64) -> bool {
+    (1e-9..=1e9).contains(&value)
 }
 
 impl ParametricShape {
@@ -233,8 +264,8 @@ impl ParametricShape {
     }
 
     /// The first rule between its sizes that it breaks.
-    pub(crate) fn broken_rule(&self) -> Option<BrokenRule> {
-        self.as_parametric().broken_rule()
+    pub(crate) fn broken_size(&self) -> Option<BrokenSize> {
+        self.as_parametric().broken_size()
     }
 
     /// The least and the greatest coordinates in its own frame.
@@ -421,6 +452,16 @@ impl BodyShape {
     }
 }
 
+impl ShapeKind {
+    /// The shape in its default size, as files and inspectors say it.
+    pub fn body_shape(self) -> BodyShape {
+        match ParametricShape::of_kind(self) {
+            Some(shape) => BodyShape::Parametric(shape),
+            None => BodyShape::Plain(self.shape()),
+        }
+    }
+}
+
 impl Form<'_> {
     /// The shape as files and inspectors say it. What was an expansion and has been changed since is plain.
     pub fn body_shape(&self) -> BodyShape {
@@ -438,32 +479,6 @@ impl Form<'_> {
             shape == self.shape && parts == self.parts
         };
         (!shape.is_finite() || is_same()).then_some(shape)
-    }
-}
-
-impl Body {
-    /// A body of this shape at the origin; one that consists of parts has none yet.
-    pub fn of_shape(shape: BodyShape) -> Self {
-        let mut body = Self::default();
-        body.set_shape(shape);
-        body
-    }
-
-    /// The shape as files and inspectors say it.
-    pub fn body_shape(&self) -> BodyShape {
-        self.form().body_shape()
-    }
-
-    /// Gives the body another shape. One that is given its parts keeps those that the body has.
-    pub fn set_shape(&mut self, shape: BodyShape) {
-        (self.shape, self.parts, self.parametric) = shape.into_form(std::mem::take(&mut self.parts));
-    }
-
-    /// Changes the sizes of its shape.
-    pub fn change_shape(&mut self, change: impl FnOnce(&mut BodyShape)) {
-        let mut shape = self.body_shape();
-        change(&mut shape);
-        self.set_shape(shape);
     }
 }
 
