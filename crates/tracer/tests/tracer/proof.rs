@@ -11,6 +11,7 @@ mod extremes;
 mod film;
 mod invariance;
 mod joined;
+mod lenses;
 mod limits;
 mod local_light;
 mod materials;

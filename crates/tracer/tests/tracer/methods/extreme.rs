@@ -124,6 +124,11 @@ impl Dice {
         chosen.into_iter().map(|(name, value)| format!("{name} = {value}")).collect()
     }
 
+    /// An item of a list of the scene.
+    fn item(&mut self, name: &str, table: &'static TableSpec) -> String {
+        format!("[[{name}]]\n{}\n", self.table(table).join("\n"))
+    }
+
     fn scene(&mut self) -> String {
         let mut text = "format = \"catoptric/1\"\n".to_owned();
         for (name, table) in
@@ -133,7 +138,10 @@ impl Dice {
         }
         for (name, table, most) in [("lights", &keys::LIGHT, 3), ("bodies", &keys::BODY, 5)] {
             for _ in 0..=self.below(most) {
-                text += &format!("[[{name}]]\n{}\n", self.table(table).join("\n"));
+                // Sizes often do not fit each other: what is refused is made once more.
+                let first = self.item(name, table);
+                let is_right = read(&format!("format = \"catoptric/1\"\n{first}")).into_result().is_ok();
+                text += &if is_right { first } else { self.item(name, table) };
             }
         }
         text
