@@ -109,8 +109,8 @@ impl Lens {
                 (front, curvature(back))
             }
         };
-        // A face of less than any size, or none.
-        let is_face = |radius: f64| radius.is_finite() && radius.abs() < 1e300;
+        // What is larger is no size of a part.
+        let is_face = |radius: f64| radius.abs() <= 1e9;
         (bending != 0.0 && focal_length != 0.0 && is_face(front) && is_face(back)).then_some((front, back))
     }
 
