@@ -328,7 +328,8 @@ impl Monkey {
             0 => {
                 let placement =
                     NewBodyPlacement { size: self.dice.number(), ..NewBodyPlacement::at(self.dice.vector()) };
-                Action::AddBody { shape: *self.dice.one(&ShapeKind::SIMPLE), placement, name }
+                let shapes = [ShapeKind::SIMPLE.as_slice(), &ShapeKind::PARAMETRIC].concat();
+                Action::AddBody { shape: *self.dice.one(&shapes), placement, name }
             }
             1 => Action::AddLight { at: self.dice.vector(), name },
             2 => Action::AddMaterial { name },
