@@ -85,9 +85,8 @@ fn checks(extent: Extent) -> Result<Vec<String>> {
     // The examples of the crates are measurements: the lints have seen them, and no test needs them linked.
     step("tests", || run_cargo(&["test", "--workspace", "--lib", "--bins", "--tests", "--locked"]))?;
     step("programs in the documentation", || run_cargo(&["test", "--workspace", "--doc", "--locked"]))?;
-    step("the program without features", || first_command(&[]))?;
     if extent == Extent::Long {
-        step("the README's first command", || first_command(&["--release"]))?;
+        step("the README's first command", first_command)?;
         for system in SYSTEMS {
             skipped.extend(check_for("catoptric", system)?);
         }
@@ -118,15 +117,16 @@ fn check_for(package: &str, target: &str) -> Result<Option<String>> {
 }
 
 /// Draws the picture, and asks the same program for the studio, which it does not have.
-fn first_command(profile: &[&str]) -> Result<()> {
+fn first_command() -> Result<()> {
     let folder = root().join("target");
     // Builds may go elsewhere.
     fs::create_dir_all(&folder)?;
     let picture = folder.join("whitted.png");
     let picture = picture.to_string_lossy();
     let render = ["--", "render", "whitted", "-o", &picture, "--samples", "16"];
-    run_cargo(&[&["run"], profile, &SLIM[..], &render].concat())?;
-    let output = cargo(&[&["run", "--quiet"], profile, &SLIM[..], &["--", "studio"]].concat()).output()?;
+    run_cargo(&[&["run", "--release"], &SLIM[..], &render].concat())?;
+    let output =
+        cargo(&[&["run", "--release", "--quiet"], &SLIM[..], &["--", "studio"]].concat()).output()?;
     let words = String::from_utf8_lossy(&output.stderr);
     ensure!(
         output.status.code() == Some(2) && words.contains("cargo run --release"),
