@@ -89,16 +89,18 @@ fn light(light: &Light) -> String {
 /// transparent one belongs to the whole of it.
 fn object(scene: &Scene, form: &Form<'_>, choice: &MaterialChoice, is_within: bool) -> Result<String> {
     let material = scene.material(choice).context("a material that the scene has not")?;
-    let (texture, interior) = surface(material)?;
-    let interior = if is_within { "" } else { interior.as_str() };
-    let is_clear = material.lets_through().most > 0.0;
+    let (texture, ior) = surface(material)?;
+    // POV-Ray bends light only where there is an interior, whatever surface lets it in.
+    let interior = if !is_within && lets_through(scene, form, choice) {
+        format!(" interior {{ ior {ior} }}")
+    } else {
+        String::new()
+    };
     let (word, is_joined) = match form.shape {
-        // Surfaces within a transparent body vanish.
-        Shape::Union | Shape::Group if is_clear && (is_within || form.shape == Shape::Union) => {
-            ("merge", true)
-        }
-        Shape::Union => ("union", true),
-        Shape::Group => ("union", is_within),
+        // Surfaces within a body vanish, seen from inside as well.
+        Shape::Union => ("merge", true),
+        Shape::Group if is_within => ("merge", true),
+        Shape::Group => ("union", false),
         Shape::Intersection => ("intersection", true),
         Shape::Difference => ("difference", true),
         _ => return Ok(format!("{} {} {texture}{interior} }}", shape(form), matrix(&form.placement))),
@@ -106,8 +108,17 @@ fn object(scene: &Scene, form: &Form<'_>, choice: &MaterialChoice, is_within: bo
     let part =
         |part: &BodyPart| object(scene, &part.form(), part.material.as_ref().unwrap_or(choice), is_joined);
     let parts: Vec<String> = form.parts.iter().map(part).collect::<Result<_>>()?;
-    let interior = if is_joined { interior } else { "" };
+    let interior = if is_joined { interior.as_str() } else { "" };
     Ok(format!("{word} {{ {} {}{interior} }}", parts.join(" "), matrix(&form.placement)))
+}
+
+/// Whether light goes through some surface of a body or of its parts.
+fn lets_through(scene: &Scene, form: &Form<'_>, choice: &MaterialChoice) -> bool {
+    scene.material(choice).is_some_and(|material| material.lets_through().most > 0.0)
+        || form
+            .parts
+            .iter()
+            .any(|part| lets_through(scene, &part.form(), part.material.as_ref().unwrap_or(choice)))
 }
 
 /// The beginning of a simple shape in its own frame.
@@ -141,8 +152,8 @@ fn matrix(placement: &Placement) -> String {
     format!("matrix <{}>", rows.join(","))
 }
 
-/// Pigment and finish, and if anything goes through, the inside.
-fn surface(material: &Material) -> Result<(String, String)> {
+/// Pigment and finish, and the index of refraction inside.
+fn surface(material: &Material) -> Result<(String, f64)> {
     let model = material.model().key();
     let phong = material.as_phong();
     let phong = phong.with_context(|| format!("POV-Ray is asked for Phong's model only, not for {model}"))?;
@@ -165,13 +176,12 @@ fn surface(material: &Material) -> Result<(String, String)> {
         }
         None => main,
     };
-    let interior = if transmission > 0.0 { format!(" interior {{ ior {ior} }}") } else { String::new() };
     let texture = format!(
         "pigment {{ {pigment} }} finish {{ ambient {ambient} diffuse {diffuse} phong {specular} \
          phong_size {shininess} reflection {{ rgb {} }} }}",
         phong.reflection()
     );
-    Ok((texture, interior))
+    Ok((texture, ior))
 }
 
 /// A color, and how much light it lets through: `rgbt` leaves that light as it is, `rgbf` gives it the color.
@@ -282,12 +292,12 @@ mod tests {
     fn bodies_of_parts_are_those_of_povray() {
         let part = |shape| BodyPart { shape, ..BodyPart::default() };
         let inner = BodyPart { parts: vec![part(Shape::CUBE), part(Shape::Plane)], ..part(Shape::Group) };
-        let parts = vec![part(Shape::SPHERE), inner];
+        let mut parts = vec![part(Shape::SPHERE), inner];
         let glass = Phong { transmission: 0.9, ior: 1.5, ..Phong::default() };
-        let words = |shape, material: Phong| {
+        let words = |parts: &[BodyPart], shape, material: Phong| {
             let body = Body {
                 shape,
-                parts: parts.clone(),
+                parts: parts.to_vec(),
                 material: MaterialChoice::own(material),
                 ..Body::default()
             };
@@ -296,23 +306,26 @@ mod tests {
             let known = ["union", "merge", "intersection", "difference", "sphere", "box", "plane", "ior"];
             tokens(&said).into_iter().filter(|word| known.contains(word)).collect::<Vec<_>>().join(" ")
         };
-        assert_eq!(words(Shape::Difference, Phong::default()), "difference sphere union box plane");
-        assert_eq!(words(Shape::Intersection, glass.clone()), "intersection sphere merge box plane ior");
-        assert_eq!(words(Shape::Union, glass.clone()), "merge sphere merge box plane ior");
-        assert_eq!(words(Shape::Group, glass), "union sphere ior union box ior plane ior");
+        assert_eq!(words(&parts, Shape::Difference, Phong::default()), "difference sphere merge box plane");
+        assert_eq!(
+            words(&parts, Shape::Intersection, glass.clone()),
+            "intersection sphere merge box plane ior"
+        );
+        assert_eq!(words(&parts, Shape::Union, glass.clone()), "merge sphere merge box plane ior");
+        assert_eq!(words(&parts, Shape::Group, glass.clone()), "union sphere ior union box ior plane ior");
+        parts[0].material = Some(MaterialChoice::own(glass));
+        assert_eq!(words(&parts, Shape::Union, Phong::default()), "merge sphere merge box plane ior");
     }
 
     #[test]
     fn what_povray_cannot_say_is_refused() {
         let red = Color::new(1.0, 0.0, 0.0);
         let glass = Phong { transmission: 0.75, diffuse: 0.2, ambient: 0.0, ..Phong::default() };
-        let surface = |phong: &Phong| {
-            surface(&phong.clone().into()).map(|(texture, interior)| format!("{texture}{interior}"))
-        };
+        let surface = |phong: &Phong| surface(&phong.clone().into()).map(|(texture, _)| texture);
         let said = surface(&glass).unwrap();
         assert!(said.contains("rgbt <0.8,0.8,0.8,0.75>") && said.contains("diffuse 0.8 "), "{said}");
         let said = surface(&Phong { pattern: red.into(), tint: red, ..glass.clone() }).unwrap();
-        assert!(said.contains("rgbf <1,0,0,0.75>") && said.ends_with("interior { ior 1.5 }"), "{said}");
+        assert!(said.contains("rgbf <1,0,0,0.75>"), "{said}");
         assert!(surface(&Phong { tint: red, ..glass.clone() }).is_err());
         assert!(surface(&Phong { transmission: 1.0, ..glass.clone() }).is_err());
         let clear = Phong { transmission: 1.0, diffuse: 0.0, ..glass };
