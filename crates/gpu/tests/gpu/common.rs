@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, OnceLock};
 
 use catoptric_gpu::{Gpu, GpuChoice};
-use catoptric_scene::{Example, Scene};
+use catoptric_scene::{Example, Form, Scene, Shape};
 use catoptric_tracer::RenderScene;
 
 /// A card of the test's own; `None` if there is none, which is told (not captured, as the output of tests is).
@@ -65,8 +65,6 @@ fn load(path: &Path) -> Scene {
 /// Every reference scene, every scene that is held against Mitsuba's pictures, and every example, by name.
 pub(crate) fn all_scenes() -> Vec<(String, Scene)> {
     let mut scenes = scenes_in(&references_folder(), "reference");
-    // Cards leave joined bodies to the processor.
-    scenes.retain(|(name, _)| !name.starts_with("reference joined-"));
     for (name, mut scene) in scenes_in(&tests_folder().join("mitsuba"), "mitsuba") {
         // They ask for trees that no driver on the processor grows in one go.
         scene.tracing.generations = scene.tracing.generations.min(8);
@@ -77,7 +75,14 @@ pub(crate) fn all_scenes() -> Vec<(String, Scene)> {
             .iter()
             .map(|example| (format!("example {}", example.name), example.load().unwrap().scene)),
     );
+    // Cards leave joined bodies to the processor.
+    scenes.retain(|(_, scene)| !scene.bodies.iter().any(|body| is_joined(&body.form())));
     scenes
+}
+
+fn is_joined(form: &Form<'_>) -> bool {
+    matches!(form.shape, Shape::Union | Shape::Intersection | Shape::Difference)
+        || form.parts.iter().any(|part| is_joined(&part.form()))
 }
 
 fn scenes_in(folder: &Path, kind: &str) -> Vec<(String, Scene)> {

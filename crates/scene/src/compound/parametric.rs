@@ -1,9 +1,9 @@
 //! Parametric shapes: lenses, tubes and others that a few numbers make of parts.
 //!
-//! A parametric shape is a body of parts to everything that traces, measures or draws it: [`Body::shape`](crate::Body::shape) and
-//! [`Body::parts`](crate::Body::parts) are its expansion, and [`Body::parametric`](crate::Body::parametric) remembers what they are an expansion of. What a parametric
-//! shape is stands in a file of its own below `parametric/`: its sizes by their keys, the rules between them, its extent
-//! and its parts.
+//! A parametric shape is a body of parts to everything that traces, measures or draws it: the shape and the parts of a
+//! [`Body`](crate::Body) are its expansion, and [`Body::parametric`](crate::Body::parametric) remembers what of. What a
+//! parametric shape is stands in a file of its own below `parametric/`: its sizes by their keys, the rules between them,
+//! its extent and its parts.
 
 mod bowl;
 mod lens;
@@ -52,13 +52,17 @@ trait Parametric {
     fn number(&self, key: &str) -> Option<f64>;
 
     /// What the number of `key` would be, where another one says it.
-    fn derived_number(&self, key: &str) -> Option<f64>;
+    fn derived_number(&self, _key: &str) -> Option<f64> {
+        None
+    }
 
     /// Sets the number that scene files call `key`. Does nothing if the shape has none.
     fn set_number(&mut self, key: &str, value: f64);
 
     /// The first rule between its sizes that it breaks. Each size is within the limits of its key.
-    fn broken_size(&self) -> Option<BrokenSize>;
+    fn broken_size(&self) -> Option<BrokenSize> {
+        None
+    }
 
     /// The least and the greatest coordinates.
     fn extent(&self) -> [DVec3; 2];

@@ -270,8 +270,8 @@ impl TileRenderer<'_> {
         }
     }
 
-    /// Traces a stream of rays that wait at a level. In a function of its own: compiling one that has the code for packets,
-    /// too, takes four times as long as both.
+    /// Traces a stream of rays that wait at a level. In a function of its own: with the code for packets in one, both take
+    /// several times as long to compile.
     fn trace_stream<W: Width, const FULL: bool>(&mut self, w: W, level: usize) {
         if !W::USES_HIERARCHY {
             // Said once more, so that it is not compiled.

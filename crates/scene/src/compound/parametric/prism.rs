@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{BrokenSize, Expansion, MARGIN, Parametric, cuboid};
+use super::{Expansion, MARGIN, Parametric, cuboid};
 use crate::compound::BodyPart;
 use crate::placement::{Anchor, Placement};
 use crate::shape::Shape;
@@ -79,10 +79,6 @@ impl Parametric for Prism {
         }
     }
 
-    fn derived_number(&self, _key: &str) -> Option<f64> {
-        None
-    }
-
     fn set_number(&mut self, key: &str, value: f64) {
         match key {
             "sides" => self.sides = value.round() as u32,
@@ -90,10 +86,6 @@ impl Parametric for Prism {
             "height" => self.height = value,
             _ => {}
         }
-    }
-
-    fn broken_size(&self) -> Option<BrokenSize> {
-        None
     }
 
     fn extent(&self) -> [DVec3; 2] {

@@ -40,10 +40,6 @@ impl Parametric for Ring {
         }
     }
 
-    fn derived_number(&self, _key: &str) -> Option<f64> {
-        None
-    }
-
     fn set_number(&mut self, key: &str, value: f64) {
         match key {
             "radius" => self.radius = value,

@@ -3,7 +3,6 @@
 use glam::DVec3;
 
 use super::{BrokenSize, Expansion, MARGIN, Parametric, cylinder, round_extent, smaller};
-use crate::compound::BodyPart;
 
 /// A tube from the origin along +Y, open at both ends.
 ///
@@ -33,7 +32,7 @@ impl Default for Tube {
 /// What lies between two radii and two heights; the bore reaches past both caps.
 pub(super) fn hollow([radius, inner_radius]: [f64; 2], [bottom, top]: [f64; 2]) -> Expansion {
     let past = MARGIN * (top - bottom).max(radius);
-    let bore: BodyPart = cylinder(inner_radius, bottom - past, top + past);
+    let bore = cylinder(inner_radius, bottom - past, top + past);
     Expansion::difference(cylinder(radius, bottom, top), [bore])
 }
 
@@ -45,10 +44,6 @@ impl Parametric for Tube {
             "height" => Some(self.height),
             _ => None,
         }
-    }
-
-    fn derived_number(&self, _key: &str) -> Option<f64> {
-        None
     }
 
     fn set_number(&mut self, key: &str, value: f64) {

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{BrokenSize, Expansion, MARGIN, Parametric, cuboid};
+use super::{Expansion, MARGIN, Parametric, cuboid};
 use crate::compound::BodyPart;
 use crate::placement::{Anchor, Placement};
 use crate::shape::Shape;
@@ -32,15 +32,7 @@ impl Parametric for Wedge {
         None
     }
 
-    fn derived_number(&self, _key: &str) -> Option<f64> {
-        None
-    }
-
     fn set_number(&mut self, _key: &str, _value: f64) {}
-
-    fn broken_size(&self) -> Option<BrokenSize> {
-        None
-    }
 
     fn extent(&self) -> [DVec3; 2] {
         [-0.5 * self.size, 0.5 * self.size]
