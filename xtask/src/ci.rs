@@ -24,8 +24,13 @@ pub(crate) enum Extent {
 /// The program without what its first picture does not need.
 const SLIM: [&str; 4] = ["--package", "catoptric", "--locked", "--no-default-features"];
 
-/// Other systems that the program is written for: it is compiled for them as far as that goes without their linkers.
-const SYSTEMS: [&str; 2] = ["aarch64-apple-darwin", "x86_64-pc-windows-gnu"];
+/// Other systems that a package is written for, with a feature: it is compiled for them as far as that goes without their
+/// linkers. In a browser cards could be driven by WebGPU.
+const SYSTEMS: [(&str, &str, &str); 3] = [
+    ("catoptric", "aarch64-apple-darwin", ""),
+    ("catoptric", "x86_64-pc-windows-gnu", ""),
+    ("catoptric-gpu", "wasm32-unknown-unknown", "webgpu"),
+];
 
 /// Runs everything and says what had to be skipped.
 pub(crate) fn run(extent: Extent) -> Result<()> {
@@ -76,7 +81,7 @@ fn checks(extent: Extent) -> Result<Vec<String>> {
         run_cargo(&[&["clippy"], &SLIM[..], &["--", "-D", "warnings"]].concat())
     })?;
     // In a browser the studio runs without the program.
-    skipped.extend(check_for("catoptric-web", "wasm32-unknown-unknown")?);
+    skipped.extend(check_for("catoptric-web", "wasm32-unknown-unknown", "")?);
     step("documentation", || {
         let arguments = ["doc", "--workspace", "--no-deps", "--locked", "--document-private-items"];
         shell::run(cargo(&arguments).env("RUSTDOCFLAGS", "-D warnings"))
@@ -87,8 +92,8 @@ fn checks(extent: Extent) -> Result<Vec<String>> {
     step("programs in the documentation", || run_cargo(&["test", "--workspace", "--doc", "--locked"]))?;
     if extent == Extent::Long {
         step("the README's first command", first_command)?;
-        for system in SYSTEMS {
-            skipped.extend(check_for("catoptric", system)?);
+        for (package, target, feature) in SYSTEMS {
+            skipped.extend(check_for(package, target, feature)?);
         }
         skipped.extend(deny()?);
         step("the laboratory in a browser", || {
@@ -99,7 +104,7 @@ fn checks(extent: Extent) -> Result<Vec<String>> {
 }
 
 /// Checks a package's Rust for another system; returns why that cannot be done, if so.
-fn check_for(package: &str, target: &str) -> Result<Option<String>> {
+fn check_for(package: &str, target: &str, features: &str) -> Result<Option<String>> {
     let library = output(&mut command("rustc", &["--print", "target-libdir", "--target", target]))?;
     if !Path::new(library.trim()).exists() {
         let advice = format!("its standard library is not installed (rustup target add {target})");
@@ -107,6 +112,7 @@ fn check_for(package: &str, target: &str) -> Result<Option<String>> {
     }
     step(&format!("{package} on {target}"), || {
         let mut check = cargo(&["check", "--package", package, "--locked", "--target", target]);
+        check.args(["--features", features]);
         // Nothing is linked, so that what is written in C need not be compiled.
         for tool in ["CC", "CXX", "AR"] {
             check.env(format!("{tool}_{}", target.replace('-', "_")), "true");

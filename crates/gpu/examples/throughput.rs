@@ -5,7 +5,7 @@ use std::error::Error;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
-use catoptric_gpu::{Gpu, GpuChoice, GpuFilm, GpuPass, GpuScene};
+use catoptric_gpu::{Gpu, GpuChoice, GpuFilm, GpuPass, GpuScene, wait};
 use catoptric_picture::Difference;
 use catoptric_scene::{Scene, Shape};
 use catoptric_store::load;
@@ -82,7 +82,7 @@ impl Case {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments = Arguments::parse();
-    let gpu = Gpu::open(&GpuChoice { software: arguments.software_gpu, name: arguments.gpu.clone() })?;
+    let gpu = wait(Gpu::open(&GpuChoice { software: arguments.software_gpu, name: arguments.gpu.clone() }))?;
     let card = gpu.info();
     let peak = arguments.peak.or_else(|| {
         let known = PEAKS.iter().find(|(name, _)| card.name.contains(name));
@@ -113,9 +113,9 @@ fn measure(
     frames: usize,
 ) -> Result<(Frame, f64), Box<dyn Error>> {
     let camera = render_scene.camera();
-    let mut on_card = GpuScene::new(gpu)?;
-    on_card.follow(gpu, render_scene, camera)?;
-    let mut film = GpuFilm::new(gpu, width, height)?;
+    let mut on_card = wait(GpuScene::new(gpu))?;
+    wait(on_card.follow(gpu, render_scene, camera))?;
+    let mut film = wait(GpuFilm::new(gpu, width, height))?;
     let control = RenderControl::default();
     let mut times = Vec::new();
     // The first frames compile the shader and find out how much the card can do at once.
@@ -123,7 +123,7 @@ fn measure(
     for frame in 0..frames + first {
         film.clear();
         let start = Instant::now();
-        let pass = film.add_samples(gpu, (render_scene, &on_card), camera, 1, &control)?;
+        let pass = wait(film.add_samples(gpu, (render_scene, &on_card), camera, 1, &control))?;
         if frame >= first {
             times.push(Frame { pass, time: pass.on_card.unwrap_or_else(|| start.elapsed()) });
         }
@@ -131,7 +131,7 @@ fn measure(
     times.sort_by_key(|frame| frame.time);
     let middle = times.swap_remove(times.len() / 2);
     let cpu = render(render_scene, RenderSettings { width, height, samples: 1 }, &control)?;
-    let difference = Difference::between(&film.picture(gpu)?, &cpu.picture)?;
+    let difference = Difference::between(&wait(film.picture(gpu))?, &cpu.picture)?;
     Ok((middle, 1.0 - difference.share_above))
 }
 

@@ -34,8 +34,8 @@ impl Gpu {
     ///
     /// # Errors
     /// When there is none, none that is wanted, or it lacks something.
-    pub fn open(choice: &GpuChoice) -> Result<Self, GpuError> {
-        let adapter = choice.find()?;
+    pub async fn open(choice: &GpuChoice) -> Result<Self, GpuError> {
+        let adapter = choice.find().await?;
         let info = adapter.get_info();
         check_compute(&adapter)?;
         let descriptor = wgpu::DeviceDescriptor {
@@ -44,8 +44,8 @@ impl Gpu {
             required_limits: adapter.limits(),
             ..wgpu::DeviceDescriptor::default()
         };
-        let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))
-            .map_err(|error| GpuError::NotOpened(error.to_string()))?;
+        let opened = adapter.request_device(&descriptor).await;
+        let (device, queue) = opened.map_err(|error| GpuError::NotOpened(error.to_string()))?;
         // Errors are looked for where they arise; one that arises elsewhere must not end the program.
         device.on_uncaptured_error(Arc::new(|_| {}));
         let watch = LossWatch::over(&device, || {});
@@ -121,14 +121,23 @@ impl Gpu {
     }
 
     /// What `act` does with the device, or the error that the driver has about it. `bytes` of memory are taken by it.
-    pub(crate) fn guarded<T>(&self, bytes: u64, act: impl FnOnce(&wgpu::Device) -> T) -> Result<T, GpuError> {
+    pub(crate) async fn guarded<T>(
+        &self,
+        bytes: u64,
+        act: impl FnOnce(&wgpu::Device) -> T,
+    ) -> Result<T, GpuError> {
         self.check_alive()?;
-        let memory = self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
-        let validation = self.device.push_error_scope(wgpu::ErrorFilter::Validation);
-        let internal = self.device.push_error_scope(wgpu::ErrorFilter::Internal);
-        let done = act(&self.device);
-        let faults = [internal, validation].map(|scope| pollster::block_on(scope.pop()));
-        let memory = pollster::block_on(memory.pop());
+        // The scopes are a stack: other work on a page must not come before all are taken away again.
+        let (done, faults, memory) = {
+            let memory = self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
+            let validation = self.device.push_error_scope(wgpu::ErrorFilter::Validation);
+            let internal = self.device.push_error_scope(wgpu::ErrorFilter::Internal);
+            let done = act(&self.device);
+            (done, [internal.pop(), validation.pop()], memory.pop())
+        };
+        let [internal, validation] = faults;
+        let faults = [internal.await, validation.await];
+        let memory = memory.await;
         if memory.is_some() || faults.iter().any(Option::is_some) {
             // That the card is lost may show as another fault first; it is told when the device is looked at.
             self.look()?;
@@ -147,7 +156,7 @@ impl Gpu {
     ///
     /// # Errors
     /// When it is too large for the card, or there is too little left.
-    pub(crate) fn buffer(
+    pub(crate) async fn buffer(
         &self,
         what: &'static str,
         bytes: u64,
@@ -163,7 +172,7 @@ impl Gpu {
         }
         let descriptor =
             wgpu::BufferDescriptor { label: Some(what), size: bytes, usage, mapped_at_creation: false };
-        self.guarded(bytes, |device| device.create_buffer(&descriptor))
+        self.guarded(bytes, |device| device.create_buffer(&descriptor)).await
     }
 }
 

@@ -27,10 +27,10 @@ impl GpuChoice {
     ///
     /// # Errors
     /// When there is none, or none that is wanted.
-    pub(crate) fn find(&self) -> Result<wgpu::Adapter, GpuError> {
+    pub(crate) async fn find(&self) -> Result<wgpu::Adapter, GpuError> {
         // OpenGL only where there is nothing better: looking for it, some libraries write complaints to the terminal.
-        let best = adapters(wgpu::Backends::PRIMARY);
-        let found = if best.is_empty() { adapters(wgpu::Backends::GL) } else { best };
+        let best = adapters(wgpu::Backends::PRIMARY).await;
+        let found = if best.is_empty() { adapters(wgpu::Backends::GL).await } else { best };
         self.among(found, wgpu::Adapter::get_info)
     }
 
@@ -57,13 +57,13 @@ impl GpuChoice {
 }
 
 /// The cards that can be driven in one of these ways, the best first.
-fn adapters(backends: wgpu::Backends) -> Vec<wgpu::Adapter> {
+async fn adapters(backends: wgpu::Backends) -> Vec<wgpu::Adapter> {
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor {
         backends,
         flags: wgpu::InstanceFlags::empty(),
         ..wgpu::InstanceDescriptor::new_without_display_handle()
     });
-    let mut adapters = pollster::block_on(instance.enumerate_adapters(backends));
+    let mut adapters = instance.enumerate_adapters(backends).await;
     adapters.sort_by_key(|adapter| rank(&adapter.get_info()));
     adapters
 }

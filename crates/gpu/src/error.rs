@@ -63,6 +63,9 @@ pub enum GpuError {
     /// The work was cancelled.
     #[error("the render was cancelled")]
     Cancelled,
+    /// Here no thread can wait for the card.
+    #[error("a page cannot wait for a graphics card")]
+    CannotWait,
     /// The driver refuses what should be right.
     #[error("the graphics driver refuses the work: {0}")]
     Refused(String),

@@ -56,18 +56,18 @@ impl GpuFilm {
     ///
     /// # Errors
     /// When the size is 0 or too large, for a picture or for the card, or the card has too little memory.
-    pub fn new(gpu: &Gpu, width: u32, height: u32) -> Result<Self, GpuError> {
+    pub async fn new(gpu: &Gpu, width: u32, height: u32) -> Result<Self, GpuError> {
         let pixels = Picture::check_size(width, height)? as u64;
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC | wgpu::BufferUsages::COPY_DST;
         let uniform = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
         Ok(Self {
             size: [width, height],
-            pixels: gpu.buffer("pixels", FILM_HEAD + pixels * FILM_PIXEL, usage)?,
-            frame: gpu.buffer("a frame", size_of::<FrameUniforms>() as u64, uniform)?,
-            waves: gpu.buffer("waves", size_of::<WavelengthUniforms>() as u64, uniform)?,
-            tiles: GpuArray::empty(gpu, "tiles")?,
+            pixels: gpu.buffer("pixels", FILM_HEAD + pixels * FILM_PIXEL, usage).await?,
+            frame: gpu.buffer("a frame", size_of::<FrameUniforms>() as u64, uniform).await?,
+            waves: gpu.buffer("waves", size_of::<WavelengthUniforms>() as u64, uniform).await?,
+            tiles: GpuArray::empty(gpu, "tiles").await?,
             camera: None,
-            report: DispatchReport::new(gpu)?,
+            report: DispatchReport::new(gpu).await?,
             samples: 0,
             begun: None,
             stride: Self::FIRST_STRIDE,
@@ -94,8 +94,8 @@ impl GpuFilm {
     ///
     /// # Errors
     /// When the scene cannot be drawn, the card is lost, or `control` is cancelled. After the last the film is valid,
-    /// some tiles being ahead, and the next call does what is missing.
-    pub fn add_samples(
+    /// some tiles being ahead, and the next call does what is missing; also when the work is dropped half way.
+    pub async fn add_samples(
         &mut self,
         gpu: &Gpu,
         (render_scene, on_card): (&RenderScene, &GpuScene),
@@ -104,34 +104,36 @@ impl GpuFilm {
         control: &RenderControl,
     ) -> Result<GpuPass, GpuError> {
         let special = on_card.specialization(render_scene, camera)?;
-        let pipeline = gpu.pipeline(special)?;
-        self.aim(gpu, camera)?;
-        let bindings = self.bind(gpu, on_card)?;
+        let pipeline = gpu.pipeline(special).await?;
+        self.aim(gpu, camera).await?;
+        let bindings = self.bind(gpu, on_card).await?;
         let frame = FrameUniforms::new(render_scene, camera, self.size);
         let tiles = self.tile_count();
         let mut pass =
             GpuPass { on_card: self.report.clock.as_ref().map(|_| Duration::ZERO), ..GpuPass::default() };
         let mut left = samples;
         while left > 0 {
-            let (count, mut first) = self.begun.take().unwrap_or((left.min(self.most_samples(gpu)), 0));
+            let (count, mut first) = self.begun.unwrap_or((left.min(self.most_samples(gpu)), 0));
             if special.physical.has(PhysicalFeatures::DISPERSES) {
-                gpu.write(&self.waves, 0, bytemuck::bytes_of(&WavelengthUniforms::new(self.samples, count)))?;
+                let waves = WavelengthUniforms::new(self.samples, count);
+                gpu.write(&self.waves, 0, bytemuck::bytes_of(&waves)).await?;
             }
             while first < tiles {
                 if control.is_cancelled() {
-                    self.begun = Some((count, first));
                     return Err(GpuError::Cancelled);
                 }
                 let stride = self.stride.min(tiles - first);
                 let dispatch = frame.dispatch(first, self.samples, count);
-                gpu.write(&self.frame, 0, bytemuck::bytes_of(&dispatch))?;
+                gpu.write(&self.frame, 0, bytemuck::bytes_of(&dispatch)).await?;
                 let start = Instant::now();
-                self.submit(gpu, &pipeline, &bindings, stride)?;
-                pass += self.report.read(gpu)?;
+                self.begun = Some((count, first + stride));
+                self.submit(gpu, &pipeline, &bindings, stride).await?;
+                pass += self.report.read(gpu).await?;
                 self.stride = stride_after(stride, start.elapsed());
                 first += stride;
                 control.add_pixels(self.pixels_of(stride) * u64::from(count));
             }
+            self.begun = None;
             self.samples += count;
             left = left.saturating_sub(count);
         }
@@ -156,19 +158,19 @@ impl GpuFilm {
     }
 
     /// Sends the rays of a camera that is new.
-    fn aim(&mut self, gpu: &Gpu, camera: &RenderCamera) -> Result<(), GpuError> {
+    async fn aim(&mut self, gpu: &Gpu, camera: &RenderCamera) -> Result<(), GpuError> {
         if self.camera.as_ref() != Some(camera) {
             self.camera = None;
-            self.tiles.write(gpu, bytemuck::cast_slice(&tile_rays(camera, self.size)))?;
+            self.tiles.write(gpu, bytemuck::cast_slice(&tile_rays(camera, self.size))).await?;
             self.camera = Some(camera.clone());
         }
         Ok(())
     }
 
-    fn bind(&self, gpu: &Gpu, on_card: &GpuScene) -> Result<wgpu::BindGroup, GpuError> {
+    async fn bind(&self, gpu: &Gpu, on_card: &GpuScene) -> Result<wgpu::BindGroup, GpuError> {
         let arrays = on_card.bindings().into_iter();
         let all = [self.frame.as_entire_binding()].into_iter().chain(arrays);
-        let pictures = on_card.pictures.view(gpu)?;
+        let pictures = on_card.pictures.view(gpu).await?;
         let rest = [
             self.tiles.binding(),
             self.pixels.as_entire_binding(),
@@ -185,9 +187,10 @@ impl GpuFilm {
                 entries: &entries,
             })
         })
+        .await
     }
 
-    fn submit(
+    async fn submit(
         &self,
         gpu: &Gpu,
         pipeline: &wgpu::ComputePipeline,
@@ -208,6 +211,7 @@ impl GpuFilm {
             self.report.record(&mut encoder, &self.pixels);
             gpu.queue.submit([encoder.finish()]);
         })
+        .await
     }
 
     /// The memory that it lies in.
@@ -219,12 +223,11 @@ impl GpuFilm {
     ///
     /// # Errors
     /// When there is too little memory, or the card is lost.
-    pub fn picture(&self, gpu: &Gpu) -> Result<Picture, GpuError> {
+    pub async fn picture(&self, gpu: &Gpu) -> Result<Picture, GpuError> {
         let mut picture = Picture::new(self.size[0], self.size[1])?;
         if self.samples > 0 {
-            self.each_pixel(gpu, picture.pixels_mut(), |pixel, [x, y, z, _]| {
-                *pixel = [x, y, z].map(f32::from_bits);
-            })?;
+            let take = |pixel: &mut [f32; 3], [x, y, z, _]: [u32; 4]| *pixel = [x, y, z].map(f32::from_bits);
+            self.each_pixel(gpu, picture.pixels_mut(), take).await?;
         }
         Ok(picture)
     }
@@ -234,16 +237,16 @@ impl GpuFilm {
     ///
     /// # Errors
     /// When there is too little memory, or the card is lost.
-    pub fn bodies(&self, gpu: &Gpu) -> Result<Vec<u32>, GpuError> {
+    pub async fn bodies(&self, gpu: &Gpu) -> Result<Vec<u32>, GpuError> {
         let mut bodies = vec![catoptric_tracer::NO_BODY; Picture::check_size(self.size[0], self.size[1])?];
         if self.samples > 0 {
-            self.each_pixel(gpu, &mut bodies, |body, [_, _, _, found]| *body = found)?;
+            self.each_pixel(gpu, &mut bodies, |body, [_, _, _, found]| *body = found).await?;
         }
         Ok(bodies)
     }
 
     /// Shows `take` the words of every pixel with one of `to`. They come in pieces, so that little memory is needed.
-    fn each_pixel<T>(
+    async fn each_pixel<T>(
         &self,
         gpu: &Gpu,
         to: &mut [T],
@@ -252,7 +255,7 @@ impl GpuFilm {
         const PIECE: u64 = 1 << 20;
         let usage = wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST;
         let most = PIECE.min(to.len() as u64) * FILM_PIXEL;
-        let staging = gpu.buffer("pixels on their way", most, usage)?;
+        let staging = gpu.buffer("pixels on their way", most, usage).await?;
         let mut start = FILM_HEAD;
         for piece in to.chunks_mut(PIECE as usize) {
             let bytes = piece.len() as u64 * FILM_PIXEL;
@@ -260,12 +263,14 @@ impl GpuFilm {
                 let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
                 encoder.copy_buffer_to_buffer(&self.pixels, start, &staging, 0, bytes);
                 gpu.queue.submit([encoder.finish()]);
-            })?;
+            })
+            .await?;
             gpu.read(&staging, bytes, |bytes| {
                 for (to, words) in piece.iter_mut().zip(bytes.chunks_exact(FILM_PIXEL as usize)) {
                     take(to, bytemuck::pod_read_unaligned(words));
                 }
-            })?;
+            })
+            .await?;
             start += bytes;
         }
         Ok(())
@@ -305,11 +310,11 @@ struct GpuTimer {
 impl DispatchReport {
     const TIMES: u64 = 16;
 
-    fn new(gpu: &Gpu) -> Result<Self, GpuError> {
+    async fn new(gpu: &Gpu) -> Result<Self, GpuError> {
         let usage = wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST;
-        let buffer = gpu.buffer("a report", FILM_HEAD + Self::TIMES, usage)?;
+        let buffer = gpu.buffer("a report", FILM_HEAD + Self::TIMES, usage).await?;
         let has_clock = gpu.device.features().contains(wgpu::Features::TIMESTAMP_QUERY);
-        Ok(Self { buffer, clock: if has_clock { Some(GpuTimer::new(gpu)?) } else { None } })
+        Ok(Self { buffer, clock: if has_clock { Some(GpuTimer::new(gpu).await?) } else { None } })
     }
 
     fn record(&self, encoder: &mut wgpu::CommandEncoder, pixels: &wgpu::Buffer) {
@@ -321,9 +326,9 @@ impl DispatchReport {
     }
 
     /// Waits for the dispatch.
-    fn read(&self, gpu: &Gpu) -> Result<GpuPass, GpuError> {
-        let words: [u64; 6] =
-            gpu.read(&self.buffer, FILM_HEAD + Self::TIMES, bytemuck::pod_read_unaligned)?;
+    async fn read(&self, gpu: &Gpu) -> Result<GpuPass, GpuError> {
+        let bytes = FILM_HEAD + Self::TIMES;
+        let words: [u64; 6] = gpu.read(&self.buffer, bytes, bytemuck::pod_read_unaligned).await?;
         let [shadow, reflected, refracted, overflow, start, end] = words;
         match (overflow as u32, overflow >> 32) {
             (0, 0) => {}
@@ -339,16 +344,17 @@ impl DispatchReport {
 }
 
 impl GpuTimer {
-    fn new(gpu: &Gpu) -> Result<Self, GpuError> {
+    async fn new(gpu: &Gpu) -> Result<Self, GpuError> {
         let usage = wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC;
-        let queries = gpu.guarded(0, |device| {
+        let made = gpu.guarded(0, |device| {
             device.create_query_set(&wgpu::QuerySetDescriptor {
                 label: Some("times"),
                 ty: wgpu::QueryType::Timestamp,
                 count: 2,
             })
-        })?;
-        let times = gpu.buffer("times", DispatchReport::TIMES, usage)?;
+        });
+        let queries = made.await?;
+        let times = gpu.buffer("times", DispatchReport::TIMES, usage).await?;
         Ok(Self { queries, times, period: gpu.queue.get_timestamp_period() })
     }
 

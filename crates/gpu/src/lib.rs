@@ -18,6 +18,7 @@ pub use card::{Gpu, GpuInfo};
 pub use choice::GpuChoice;
 pub use error::GpuError;
 pub use film::{GpuFilm, GpuPass};
+pub use reading::wait;
 pub use render::{GpuRendering, render};
 pub use scene::GpuScene;
 pub use screen::{GpuPicture, GpuScreen};

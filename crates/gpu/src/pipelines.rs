@@ -1,7 +1,9 @@
 //! Compiled shaders, one for each kind of scene.
 
 use std::collections::HashMap;
-use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
+use std::collections::hash_map::Entry;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::task::{Poll, Waker};
 
 use catoptric_tracer::shaders::ShaderSpecialization;
 
@@ -19,14 +21,26 @@ pub(crate) struct Pipelines {
     pub(crate) layout: wgpu::BindGroupLayout,
     pub(crate) pipeline_layout: wgpu::PipelineLayout,
     known: Mutex<HashMap<ShaderSpecialization, PipelineState>>,
-    pub(crate) compiled: Condvar,
 }
 
 /// How far the shader of a kind of scenes is.
-#[derive(Clone)]
 pub(crate) enum PipelineState {
-    UnderWay,
+    /// Those who wait for it.
+    UnderWay(Vec<Waker>),
     Done(Result<wgpu::ComputePipeline, GpuError>),
+}
+
+/// The answer to somebody who needs a shader.
+pub(crate) enum PipelineAnswer<'p> {
+    Done(Result<wgpu::ComputePipeline, GpuError>),
+    /// The asker has to compile it.
+    Claimed(PipelineClaim<'p>),
+}
+
+/// The right to compile a shader, and the duty. If it is dropped, another one of those who wait gets it.
+pub(crate) struct PipelineClaim<'p> {
+    pipelines: &'p Pipelines,
+    special: ShaderSpecialization,
 }
 
 impl Pipelines {
@@ -41,21 +55,61 @@ impl Pipelines {
             bind_group_layouts: &[Some(&layout)],
             immediate_size: 0,
         });
-        Self { layout, pipeline_layout, known: Mutex::default(), compiled: Condvar::new() }
+        Self { layout, pipeline_layout, known: Mutex::default() }
     }
 
     pub(crate) fn known(&self) -> MutexGuard<'_, HashMap<ShaderSpecialization, PipelineState>> {
         self.known.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Whether somebody else compiles it or has done so; else the caller has to.
-    pub(crate) fn claim(&self, special: ShaderSpecialization) -> Option<PipelineState> {
-        let mut known = self.known();
-        let state = known.get(&special).cloned();
-        if state.is_none() {
-            known.insert(special, PipelineState::UnderWay);
+    /// The shader of a kind, or the right to compile it. While somebody else does, `waker` is called later.
+    pub(crate) fn ask(&self, special: ShaderSpecialization, waker: &Waker) -> Poll<PipelineAnswer<'_>> {
+        match self.known().entry(special) {
+            Entry::Vacant(place) => {
+                place.insert(PipelineState::UnderWay(Vec::new()));
+                Poll::Ready(PipelineAnswer::Claimed(PipelineClaim { pipelines: self, special }))
+            }
+            Entry::Occupied(mut state) => match state.get_mut() {
+                PipelineState::Done(done) => Poll::Ready(PipelineAnswer::Done(done.clone())),
+                PipelineState::UnderWay(waiting) => {
+                    if !waiting.iter().any(|known| known.will_wake(waker)) {
+                        waiting.push(waker.clone());
+                    }
+                    Poll::Pending
+                }
+            },
         }
-        state
+    }
+
+    /// Puts what has become of a shader in the place of the work under way, and wakes those who wait for it.
+    fn end(&self, special: ShaderSpecialization, done: Option<Result<wgpu::ComputePipeline, GpuError>>) {
+        let state = {
+            let mut known = self.known();
+            match done {
+                Some(done) => known.insert(special, PipelineState::Done(done)),
+                None => known.remove(&special),
+            }
+        };
+        if let Some(PipelineState::UnderWay(waiting)) = state {
+            waiting.into_iter().for_each(Waker::wake);
+        }
+    }
+}
+
+impl PipelineClaim<'_> {
+    pub(crate) fn special(&self) -> ShaderSpecialization {
+        self.special
+    }
+
+    pub(crate) fn finish(self, done: Result<wgpu::ComputePipeline, GpuError>) {
+        self.pipelines.end(self.special, Some(done));
+        std::mem::forget(self);
+    }
+}
+
+impl Drop for PipelineClaim<'_> {
+    fn drop(&mut self) {
+        self.pipelines.end(self.special, None);
     }
 }
 

@@ -21,16 +21,17 @@ pub struct GpuRendering {
 ///
 /// # Errors
 /// When the size is 0 or too large, the scene cannot be drawn, the card is lost, or the render is cancelled.
-pub fn render(
+pub async fn render(
     gpu: &Gpu,
     render_scene: &RenderScene,
     camera: &RenderCamera,
     settings: RenderSettings,
     control: &RenderControl,
 ) -> Result<GpuRendering, GpuError> {
-    let mut film = GpuFilm::new(gpu, settings.width, settings.height)?;
-    let mut on_card = GpuScene::new(gpu)?;
-    on_card.follow(gpu, render_scene, camera)?;
-    let pass = film.add_samples(gpu, (render_scene, &on_card), camera, settings.samples.max(1), control)?;
-    Ok(GpuRendering { picture: film.picture(gpu)?, pass })
+    let mut film = GpuFilm::new(gpu, settings.width, settings.height).await?;
+    let mut on_card = GpuScene::new(gpu).await?;
+    on_card.follow(gpu, render_scene, camera).await?;
+    let samples = settings.samples.max(1);
+    let pass = film.add_samples(gpu, (render_scene, &on_card), camera, samples, control).await?;
+    Ok(GpuRendering { picture: film.picture(gpu).await?, pass })
 }

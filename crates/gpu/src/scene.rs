@@ -27,15 +27,15 @@ impl GpuScene {
     ///
     /// # Errors
     /// When the card is lost or has no memory at all.
-    pub fn new(gpu: &Gpu) -> Result<Self, GpuError> {
+    pub async fn new(gpu: &Gpu) -> Result<Self, GpuError> {
         Ok(Self {
-            bodies: GpuArray::empty(gpu, "bodies")?,
-            scene_order: GpuArray::empty(gpu, "places of bodies")?,
-            boxes: GpuArray::empty(gpu, "boxes")?,
-            materials: GpuArray::compared(gpu, "materials")?,
-            checkers: GpuArray::compared(gpu, "checkers")?,
-            lights: GpuArray::compared(gpu, "lights")?,
-            pictures: GpuSceneImages::empty(gpu)?,
+            bodies: GpuArray::empty(gpu, "bodies").await?,
+            scene_order: GpuArray::empty(gpu, "places of bodies").await?,
+            boxes: GpuArray::empty(gpu, "boxes").await?,
+            materials: GpuArray::compared(gpu, "materials").await?,
+            checkers: GpuArray::compared(gpu, "checkers").await?,
+            lights: GpuArray::compared(gpu, "lights").await?,
+            pictures: GpuSceneImages::empty(gpu).await?,
             state: None,
             contents: SceneContents::default(),
         })
@@ -45,7 +45,7 @@ impl GpuScene {
     ///
     /// # Errors
     /// When the scene is too large for the card, or the card is lost; the next call sends everything.
-    pub fn follow(
+    pub async fn follow(
         &mut self,
         gpu: &Gpu,
         render_scene: &RenderScene,
@@ -60,16 +60,16 @@ impl GpuScene {
             Some((changes, was_ranked)) => {
                 self.contents.follow(render_scene, &changes);
                 let [bodies, boxes, order] = arrays.parts(&changes);
-                sum += self.bodies.write_parts(gpu, arrays.bodies(), &bodies)?;
-                sum += self.boxes.write_parts(gpu, arrays.boxes(), &boxes)?;
+                sum += self.bodies.write_parts(gpu, arrays.bodies(), &bodies).await?;
+                sum += self.boxes.write_parts(gpu, arrays.boxes(), &boxes).await?;
                 let ranked = self.wants_ranks(render_scene, camera);
                 let is_same = changes.bodies.is_empty() && (was_ranked || !ranked);
                 if !is_same {
                     let all = arrays.scene_order(ranked);
                     sum += if ranked {
-                        self.scene_order.write(gpu, &all)?
+                        self.scene_order.write(gpu, &all).await?
                     } else {
-                        self.scene_order.write_parts(gpu, &all, &order)?
+                        self.scene_order.write_parts(gpu, &all, &order).await?
                     };
                 }
                 is_ranked = ranked || (was_ranked && is_same);
@@ -77,15 +77,15 @@ impl GpuScene {
             None => {
                 self.contents = SceneContents::of(render_scene);
                 is_ranked = self.wants_ranks(render_scene, camera) || is_ranked;
-                sum += self.bodies.write(gpu, arrays.bodies())?;
-                sum += self.boxes.write(gpu, arrays.boxes())?;
-                sum += self.scene_order.write(gpu, &arrays.scene_order(is_ranked))?;
+                sum += self.bodies.write(gpu, arrays.bodies()).await?;
+                sum += self.boxes.write(gpu, arrays.boxes()).await?;
+                sum += self.scene_order.write(gpu, &arrays.scene_order(is_ranked)).await?;
             }
         }
-        sum += self.materials.write(gpu, &arrays.materials())?;
-        sum += self.checkers.write(gpu, &arrays.checkers())?;
-        sum += self.lights.write(gpu, &arrays.lights())?;
-        sum += self.pictures.follow(gpu, arrays.pictures())?;
+        sum += self.materials.write(gpu, &arrays.materials()).await?;
+        sum += self.checkers.write(gpu, &arrays.checkers()).await?;
+        sum += self.lights.write(gpu, &arrays.lights()).await?;
+        sum += self.pictures.follow(gpu, arrays.pictures()).await?;
         self.state = Some((render_scene.state(), is_ranked));
         Ok(sum)
     }

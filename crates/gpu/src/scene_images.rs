@@ -19,33 +19,34 @@ const ROW: u64 = PICTURES_ACROSS as u64 * size_of::<AtlasTexel>() as u64;
 const PIECE: usize = (16 << 20) / ROW as usize;
 
 impl GpuSceneImages {
-    pub(crate) fn empty(gpu: &Gpu) -> Result<Self, GpuError> {
-        Ok(Self { texture: allocate(gpu, [1, 1])?, sent: Some(PictureAtlas::default()) })
+    pub(crate) async fn empty(gpu: &Gpu) -> Result<Self, GpuError> {
+        Ok(Self { texture: allocate(gpu, [1, 1]).await?, sent: Some(PictureAtlas::default()) })
     }
 
     /// Sends all pictures if they are others than the last time; returns how many bytes that were.
-    pub(crate) fn follow(&mut self, gpu: &Gpu, pictures: PictureAtlas) -> Result<u64, GpuError> {
+    pub(crate) async fn follow(&mut self, gpu: &Gpu, pictures: PictureAtlas) -> Result<u64, GpuError> {
         if self.sent.as_ref() == Some(&pictures) {
             return Ok(0);
         }
-        self.sent = None;
+        // What was left half done may have left no memory, either.
+        let was_done = self.sent.take().is_some();
         let most = gpu.device.limits().max_texture_dimension_2d;
         let size = size_of_texture(most, &gpu.info().name, pictures.rows())?;
-        if size != [self.texture.width(), self.texture.height()] {
+        if !was_done || size != [self.texture.width(), self.texture.height()] {
             // The old memory is freed first: both might not fit.
             self.texture.destroy();
-            self.texture = allocate(gpu, size)?;
+            self.texture = allocate(gpu, size).await?;
         }
         let mut row = 0;
         for texels in pictures.pieces(PIECE) {
-            row += self.write(gpu, row, &texels)?;
+            row += self.write(gpu, row, &texels).await?;
         }
         self.sent = Some(pictures);
         Ok(u64::from(row) * ROW)
     }
 
     /// Writes whole rows; returns how many.
-    fn write(&self, gpu: &Gpu, row: u32, texels: &[AtlasTexel]) -> Result<u32, GpuError> {
+    async fn write(&self, gpu: &Gpu, row: u32, texels: &[AtlasTexel]) -> Result<u32, GpuError> {
         let bytes: &[u8] = bytemuck::cast_slice(texels);
         let rows = (bytes.len() as u64 / ROW) as u32;
         gpu.guarded(bytes.len() as u64, |_| {
@@ -63,12 +64,13 @@ impl GpuSceneImages {
             let size = wgpu::Extent3d { width: PICTURES_ACROSS, height: rows, depth_or_array_layers: 1 };
             gpu.queue.write_texture(to, bytes, layout, size);
             gpu.queue.submit([]);
-        })?;
+        })
+        .await?;
         Ok(rows)
     }
 
-    pub(crate) fn view(&self, gpu: &Gpu) -> Result<wgpu::TextureView, GpuError> {
-        gpu.guarded(0, |_| self.texture.create_view(&wgpu::TextureViewDescriptor::default()))
+    pub(crate) async fn view(&self, gpu: &Gpu) -> Result<wgpu::TextureView, GpuError> {
+        gpu.guarded(0, |_| self.texture.create_view(&wgpu::TextureViewDescriptor::default())).await
     }
 }
 
@@ -88,7 +90,7 @@ fn size_of_texture(most: u32, card: &str, rows: u64) -> Result<[u32; 2], GpuErro
     }
 }
 
-fn allocate(gpu: &Gpu, [width, height]: [u32; 2]) -> Result<wgpu::Texture, GpuError> {
+async fn allocate(gpu: &Gpu, [width, height]: [u32; 2]) -> Result<wgpu::Texture, GpuError> {
     let bytes = u64::from(width) * u64::from(height) * size_of::<AtlasTexel>() as u64;
     gpu.guarded(bytes, |device| {
         device.create_texture(&wgpu::TextureDescriptor {
@@ -103,6 +105,7 @@ fn allocate(gpu: &Gpu, [width, height]: [u32; 2]) -> Result<wgpu::Texture, GpuEr
             view_formats: &[],
         })
     })
+    .await
 }
 
 #[cfg(test)]

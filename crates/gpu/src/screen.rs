@@ -34,10 +34,10 @@ impl GpuScreen {
     ///
     /// # Errors
     /// When the card is lost or its driver refuses.
-    pub fn new(gpu: &Gpu) -> Result<Self, GpuError> {
+    pub async fn new(gpu: &Gpu) -> Result<Self, GpuError> {
         let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
-        let uniform = gpu.buffer("a development", 4 * Self::UNIFORM as u64, usage)?;
-        let pipeline = gpu.guarded(0, |device| {
+        let uniform = gpu.buffer("a development", 4 * Self::UNIFORM as u64, usage).await?;
+        let compiled = gpu.guarded(0, |device| {
             let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
                 label: Some("development"),
                 source: wgpu::ShaderSource::Wgsl(Development::SHADER.into()),
@@ -50,7 +50,8 @@ impl GpuScreen {
                 compilation_options: wgpu::PipelineCompilationOptions::default(),
                 cache: None,
             })
-        })?;
+        });
+        let pipeline = compiled.await?;
         Ok(Self { pipeline, uniform, pictures: Vec::new(), last_number: 0 })
     }
 
@@ -58,17 +59,17 @@ impl GpuScreen {
     ///
     /// # Errors
     /// When the picture is too large for a texture, the card has too little memory, or is lost.
-    pub fn develop(
+    pub async fn develop(
         &mut self,
         gpu: &Arc<Gpu>,
         film: &GpuFilm,
         development: &Development,
     ) -> Result<Arc<GpuPicture>, GpuError> {
         let size = film.size();
-        let picture = self.free_picture(gpu, size)?;
+        let picture = self.free_picture(gpu, size).await?;
         let [scale, curve] = development.words();
         let words: [u32; Self::UNIFORM] = [scale, curve, size[0], size[1]];
-        gpu.write(&self.uniform, 0, bytemuck::bytes_of(&words))?;
+        gpu.write(&self.uniform, 0, bytemuck::bytes_of(&words)).await?;
         gpu.guarded(0, |device| {
             let bindings = device.create_bind_group(&wgpu::BindGroupDescriptor {
                 label: Some("development"),
@@ -89,13 +90,14 @@ impl GpuScreen {
             pass.dispatch_workgroups(size[0].div_ceil(8), size[1].div_ceil(8), 1);
             drop(pass);
             gpu.queue.submit([encoder.finish()]);
-        })?;
+        })
+        .await?;
         self.pictures.push(Arc::clone(&picture));
         Ok(picture)
     }
 
     /// A texture of a size that nobody shows; others that nobody shows are freed.
-    fn free_picture(&mut self, gpu: &Arc<Gpu>, size: [u32; 2]) -> Result<Arc<GpuPicture>, GpuError> {
+    async fn free_picture(&mut self, gpu: &Arc<Gpu>, size: [u32; 2]) -> Result<Arc<GpuPicture>, GpuError> {
         let is_free = |picture: &Arc<GpuPicture>| Arc::strong_count(picture) == 1;
         let found = self.pictures.iter().position(|picture| is_free(picture) && picture.size == size);
         let free = found.map(|place| self.pictures.swap_remove(place));
@@ -104,14 +106,14 @@ impl GpuScreen {
             return Ok(picture);
         }
         self.last_number += 1;
-        Ok(Arc::new(GpuPicture::new(gpu, size, self.last_number)?))
+        Ok(Arc::new(GpuPicture::new(gpu, size, self.last_number).await?))
     }
 }
 
 impl GpuPicture {
     const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
-    fn new(gpu: &Arc<Gpu>, size: [u32; 2], number: u64) -> Result<Self, GpuError> {
+    async fn new(gpu: &Arc<Gpu>, size: [u32; 2], number: u64) -> Result<Self, GpuError> {
         let limit = gpu.device.limits().max_texture_dimension_2d;
         let side = size[0].max(size[1]);
         if side > limit {
@@ -119,7 +121,7 @@ impl GpuPicture {
             return Err(GpuError::TooLarge { card, what, bytes: u64::from(side), limit: u64::from(limit) });
         }
         let bytes = 4 * u64::from(size[0]) * u64::from(size[1]);
-        let texture = gpu.guarded(bytes, |device| {
+        let allocated = gpu.guarded(bytes, |device| {
             device.create_texture(&wgpu::TextureDescriptor {
                 label: Some("picture"),
                 size: extent(size),
@@ -132,8 +134,9 @@ impl GpuPicture {
                     | wgpu::TextureUsages::COPY_SRC,
                 view_formats: &[],
             })
-        })?;
-        let view = gpu.guarded(0, |_| texture.create_view(&wgpu::TextureViewDescriptor::default()))?;
+        });
+        let texture = allocated.await?;
+        let view = gpu.guarded(0, |_| texture.create_view(&wgpu::TextureViewDescriptor::default())).await?;
         Ok(Self { number, size, texture, view, gpu: Arc::clone(gpu) })
     }
 
@@ -157,17 +160,17 @@ impl GpuPicture {
         &self.view
     }
 
-    /// Red, green, blue (sRGB) and 255 for every pixel, row by row from the top. Waits for the card.
+    /// Red, green, blue (sRGB) and 255 for every pixel, row by row from the top.
     ///
     /// # Errors
     /// When there is too little memory, or the card is lost.
-    pub fn read(&self) -> Result<Vec<u8>, GpuError> {
+    pub async fn read(&self) -> Result<Vec<u8>, GpuError> {
         let row = 4 * self.size[0];
         let padded = row.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
         let bytes = u64::from(padded) * u64::from(self.size[1]);
         let usage = wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST;
-        let staging = self.gpu.buffer("a picture on its way", bytes, usage)?;
-        self.gpu.guarded(0, |device| {
+        let staging = self.gpu.buffer("a picture on its way", bytes, usage).await?;
+        let copied = self.gpu.guarded(0, |device| {
             let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
             let layout = wgpu::TexelCopyBufferLayout { bytes_per_row: Some(padded), ..Default::default() };
             encoder.copy_texture_to_buffer(
@@ -176,11 +179,13 @@ impl GpuPicture {
                 extent(self.size),
             );
             self.gpu.queue.submit([encoder.finish()]);
-        })?;
-        self.gpu.read(&staging, bytes, |bytes| {
+        });
+        copied.await?;
+        let taken = self.gpu.read(&staging, bytes, |bytes| {
             let rows = bytes.chunks(padded as usize).filter_map(|line| line.get(..row as usize));
             rows.flatten().copied().collect()
-        })
+        });
+        taken.await
     }
 }
 

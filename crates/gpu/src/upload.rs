@@ -9,6 +9,8 @@ use crate::error::GpuError;
 pub(crate) struct GpuArray {
     what: &'static str,
     buffer: wgpu::Buffer,
+    /// The bytes that there is room for; none while the buffer is being replaced.
+    room: u64,
     /// The bytes that are in use.
     len: u64,
     /// What it holds, if it is compared before it is written.
@@ -23,40 +25,47 @@ impl GpuArray {
     const LEAST: u64 = 256;
 
     /// An array whose bytes are known here too, so that only what differs is written.
-    pub(crate) fn compared(gpu: &Gpu, what: &'static str) -> Result<Self, GpuError> {
-        Ok(Self { copy: Some(Vec::new()), ..Self::empty(gpu, what)? })
+    pub(crate) async fn compared(gpu: &Gpu, what: &'static str) -> Result<Self, GpuError> {
+        Ok(Self { copy: Some(Vec::new()), ..Self::empty(gpu, what).await? })
     }
 
     /// An array without a copy of its bytes: a write sends all of them.
-    pub(crate) fn empty(gpu: &Gpu, what: &'static str) -> Result<Self, GpuError> {
-        Ok(Self { what, buffer: Self::allocate(gpu, what, Self::LEAST)?, len: 0, copy: None })
+    pub(crate) async fn empty(gpu: &Gpu, what: &'static str) -> Result<Self, GpuError> {
+        let buffer = Self::allocate(gpu, what, Self::LEAST).await?;
+        Ok(Self { what, buffer, room: Self::LEAST, len: 0, copy: None })
     }
 
-    fn allocate(gpu: &Gpu, what: &'static str, bytes: u64) -> Result<wgpu::Buffer, GpuError> {
-        gpu.buffer(what, bytes, wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST)
+    async fn allocate(gpu: &Gpu, what: &'static str, bytes: u64) -> Result<wgpu::Buffer, GpuError> {
+        gpu.buffer(what, bytes, wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST).await
     }
 
     /// Writes all bytes, or those that differ; returns how many.
-    pub(crate) fn write(&mut self, gpu: &Gpu, bytes: &[u8]) -> Result<u64, GpuError> {
+    pub(crate) async fn write(&mut self, gpu: &Gpu, bytes: &[u8]) -> Result<u64, GpuError> {
         let len = bytes.len() as u64;
-        if len > self.buffer.size() {
+        // Until all is written, nothing is known to be there.
+        let mut copy = self.copy.as_mut().map(std::mem::take);
+        if len > self.room {
             // The old memory is freed first: both might not fit.
             self.buffer.destroy();
-            (self.len, self.copy) = (0, self.copy.as_ref().map(|_| Vec::new()));
-            self.buffer = Self::allocate(gpu, self.what, len.max(Self::LEAST))?;
+            (self.len, self.room) = (0, 0);
+            copy = copy.map(|_| Vec::new());
+            let room = len.max(Self::LEAST);
+            self.buffer = Self::allocate(gpu, self.what, room).await?;
+            self.room = room;
         }
-        let written = differences(self.copy.as_deref().unwrap_or_default(), bytes);
-        let sum = self.write_parts(gpu, bytes, &written)?;
+        let written = differences(copy.as_deref().unwrap_or_default(), bytes);
+        let sum = self.write_parts(gpu, bytes, &written).await?;
         self.len = len;
-        if let Some(copy) = &mut self.copy {
+        if let Some(mut copy) = copy {
             copy.clear();
             copy.extend_from_slice(bytes);
+            self.copy = Some(copy);
         }
         Ok(sum)
     }
 
     /// Writes parts of what is to be all the bytes; returns how many.
-    pub(crate) fn write_parts(
+    pub(crate) async fn write_parts(
         &self,
         gpu: &Gpu,
         bytes: &[u8],
@@ -65,7 +74,7 @@ impl GpuArray {
         let mut sum = 0;
         for part in parts {
             let Some(bytes) = bytes.get(part.clone()).filter(|bytes| !bytes.is_empty()) else { continue };
-            gpu.write(&self.buffer, part.start as u64, bytes)?;
+            gpu.write(&self.buffer, part.start as u64, bytes).await?;
             sum += bytes.len() as u64;
         }
         Ok(sum)
@@ -83,14 +92,19 @@ impl GpuArray {
 
 impl Gpu {
     /// Writes into memory of the card, in pieces: the driver keeps a copy of each until it is there.
-    pub(crate) fn write(&self, buffer: &wgpu::Buffer, start: u64, bytes: &[u8]) -> Result<(), GpuError> {
+    pub(crate) async fn write(
+        &self,
+        buffer: &wgpu::Buffer,
+        start: u64,
+        bytes: &[u8],
+    ) -> Result<(), GpuError> {
         const PIECE: usize = 16 << 20;
         let mut at = start;
         for piece in bytes.chunks(PIECE) {
-            self.guarded(piece.len() as u64, |_| self.queue.write_buffer(buffer, at, piece))?;
+            self.guarded(piece.len() as u64, |_| self.queue.write_buffer(buffer, at, piece)).await?;
             at += piece.len() as u64;
             if bytes.len() > PIECE {
-                self.guarded(0, |_| self.queue.submit([]))?;
+                self.guarded(0, |_| self.queue.submit([])).await?;
             }
         }
         Ok(())

@@ -2,9 +2,10 @@
 
 use std::sync::Arc;
 
-use catoptric_gpu::{Gpu, GpuError, GpuFilm, GpuScene, GpuScreen};
+use catoptric_gpu::{Gpu, GpuError, GpuFilm, GpuScene, GpuScreen, wait};
 use catoptric_picture::SizeError;
-use catoptric_tracer::shaders::UnsupportedOnGpu;
+use catoptric_platform::threads;
+use catoptric_tracer::shaders::{ShaderSpecialization, UnsupportedOnGpu};
 use catoptric_tracer::{Film, RayCounts, RenderCamera, RenderControl, RenderError, RenderScene};
 
 /// The light of a picture.
@@ -20,6 +21,8 @@ pub(crate) struct CardRenderer {
     pub(crate) screen: GpuScreen,
     /// What in the present scene it cannot draw.
     pub(crate) refused: Option<GpuError>,
+    /// The shaders that were begun to compile in the background.
+    begun: Vec<ShaderSpecialization>,
 }
 
 /// The reason why a pass was not finished.
@@ -31,8 +34,8 @@ pub(crate) enum PassError {
 
 impl CardRenderer {
     pub(crate) fn new(gpu: Arc<Gpu>) -> Result<Self, GpuError> {
-        let (render_scene, screen) = (GpuScene::new(&gpu)?, GpuScreen::new(&gpu)?);
-        Ok(Self { gpu, render_scene, screen, refused: None })
+        let (render_scene, screen) = (wait(GpuScene::new(&gpu))?, wait(GpuScreen::new(&gpu))?);
+        Ok(Self { gpu, render_scene, screen, refused: None, begun: Vec::new() })
     }
 
     /// Forgets what it could not draw, if it may be able to now: another scene, or from elsewhere.
@@ -50,12 +53,22 @@ impl CardRenderer {
         camera: &RenderCamera,
         ready: impl FnOnce() + Send + 'static,
     ) -> Result<bool, GpuError> {
-        self.render_scene.follow(&self.gpu, render_scene, camera)?;
+        wait(self.render_scene.follow(&self.gpu, render_scene, camera))?;
         let special = self.render_scene.specialization(render_scene, camera)?;
         if self.gpu.is_ready_for(special) {
             return Ok(true);
         }
-        self.gpu.compile_in_background(special, ready);
+        if !self.begun.contains(&special) {
+            let gpu = Arc::clone(&self.gpu);
+            let compile = move || {
+                // What goes wrong is told when it is drawn with.
+                let _ = wait(gpu.prepare_for(special));
+                ready();
+            };
+            if threads::start_or_do("shader", compile).is_ok() {
+                self.begun.push(special);
+            }
+        }
         Ok(false)
     }
 }
@@ -64,7 +77,7 @@ impl Canvas {
     /// A canvas without light, on `card` if there is one.
     pub(crate) fn new(card: Option<&CardRenderer>, [width, height]: [u32; 2]) -> Result<Self, PassError> {
         Ok(match card {
-            Some(card) => Self::Card(Box::new(GpuFilm::new(&card.gpu, width, height)?)),
+            Some(card) => Self::Card(Box::new(wait(GpuFilm::new(&card.gpu, width, height))?)),
             None => Self::Processor(Film::new(width, height)?),
         })
     }
@@ -107,9 +120,10 @@ impl Canvas {
     ) -> Result<RayCounts, PassError> {
         match (self, card) {
             (Self::Processor(film), _) => Ok(film.add_sample(render_scene, camera, control)?),
-            (Self::Card(film), Some(card)) => Ok(film
-                .add_samples(&card.gpu, (render_scene, &card.render_scene), camera, 1, control)?
-                .counts),
+            (Self::Card(film), Some(card)) => {
+                let scenes = (render_scene, &card.render_scene);
+                Ok(wait(film.add_samples(&card.gpu, scenes, camera, 1, control))?.counts)
+            }
             // The card was taken away: what was drawn on it is of no use.
             (Self::Card(_), None) => Err(PassError::Cancelled),
         }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use catoptric_gpu::{GpuError, GpuPicture};
+use catoptric_gpu::{GpuError, GpuPicture, wait};
 use catoptric_scene::Camera;
 use catoptric_tracer::RayCounts;
 use glam::Vec2;
@@ -52,7 +52,9 @@ impl Frame {
     /// # Errors
     /// When the card is lost.
     pub fn codes(&self) -> Result<Arc<Vec<u8>>, GpuError> {
-        self.card.as_ref().map_or_else(|| Ok(Arc::clone(&self.pixels)), |card| card.read().map(Arc::new))
+        self.card
+            .as_ref()
+            .map_or_else(|| Ok(Arc::clone(&self.pixels)), |card| wait(card.read()).map(Arc::new))
     }
 
     /// Whether the picture has the view's full resolution, or one of its own.

@@ -7,6 +7,7 @@ use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
+use catoptric_gpu::wait;
 use catoptric_picture::{Development, Picture};
 use catoptric_platform::threads::Pool;
 use catoptric_platform::time::{Duration, Instant};
@@ -437,7 +438,7 @@ impl Worker {
 fn develop_shown(view: &mut RequestState, card: Option<&mut CardRenderer>) -> Result<(), PassError> {
     let development = view.request.development;
     if let (None, Some(Canvas::Card(film)), Some(card)) = (&view.drawn, &view.film, card) {
-        view.shown.card = Some(card.screen.develop(&card.gpu, film, &development)?);
+        view.shown.card = Some(wait(card.screen.develop(&card.gpu, film, &development))?);
         view.shown.pixels = Arc::default();
         (view.shown.size, view.shown.shows) = (film.size(), DisplayContent::Picture);
         return Ok(());

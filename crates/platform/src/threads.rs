@@ -20,7 +20,7 @@ pub use pool::{Pool, PoolError};
 pub use priority::{Priority, lower_priority};
 #[cfg(target_family = "wasm")]
 pub use start::use_threads;
-pub use start::{are_available, processors, sleep};
+pub use start::{are_available, processors, sleep, wait};
 
 /// A thread under way. Dropping this lets it go on.
 #[derive(Debug)]

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use anyhow::{Context as _, Result};
-use catoptric_gpu::{Gpu, GpuChoice, GpuError, render};
+use catoptric_gpu::{Gpu, GpuChoice, GpuError, render, wait};
 use catoptric_tracer::raster::MethodOutput;
 use catoptric_tracer::{RenderControl, RenderScene, RenderSettings};
 use serde_json::{Value, json};
@@ -23,7 +23,7 @@ impl Card {
     /// Opens the card that is asked for.
     pub(crate) fn open(arguments: &BackendArguments) -> Result<Self> {
         let choice = choice(arguments);
-        Gpu::open(&choice).map(Self).context(advice(&choice))
+        wait(Gpu::open(&choice)).map(Self).context(advice(&choice))
     }
 
     pub(crate) fn name(&self) -> &str {
@@ -49,7 +49,7 @@ impl Card {
         control: &RenderControl,
     ) -> Result<CardOutcome> {
         let start = Instant::now();
-        match render(&self.0, render_scene, render_scene.camera(), settings, control) {
+        match wait(render(&self.0, render_scene, render_scene.camera(), settings, control)) {
             Ok(rendering) => {
                 let pass = rendering.pass;
                 let drawing = MethodOutput::traced(rendering.picture, pass.counts, start.elapsed());

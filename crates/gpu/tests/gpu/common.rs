@@ -5,13 +5,14 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, OnceLock};
 
-use catoptric_gpu::{Gpu, GpuChoice};
+use catoptric_gpu::{Gpu, GpuChoice, wait};
+use catoptric_platform::threads;
 use catoptric_scene::{Example, Form, Scene, Shape};
 use catoptric_tracer::RenderScene;
 
 /// A card of the test's own; `None` if there is none, which is told (not captured, as the output of tests is).
 pub(crate) fn own_card(test: &str) -> Option<Arc<Gpu>> {
-    match Gpu::open(&GpuChoice { software: true, name: None }) {
+    match wait(Gpu::open(&GpuChoice { software: true, name: None })) {
         Ok(gpu) => Some(Arc::new(gpu)),
         Err(error) => {
             let _ = writeln!(std::io::stderr().lock(), "SKIPPED: {test}: {error}");
@@ -98,7 +99,8 @@ fn scenes_in(folder: &Path, kind: &str) -> Vec<(String, Scene)> {
 /// A device as a window has it.
 pub(crate) fn shared_device() -> Option<(wgpu::Device, wgpu::Queue)> {
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
-    let adapter =
-        pollster::block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default())).ok()?;
-    pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor::default())).ok()
+    threads::wait(async {
+        let adapter = instance.request_adapter(&wgpu::RequestAdapterOptions::default()).await.ok()?;
+        adapter.request_device(&wgpu::DeviceDescriptor::default()).await.ok()
+    })?
 }

@@ -1,9 +1,11 @@
 //! A card that is lost, too small, or not there.
 
+use std::pin::pin;
 use std::sync::Arc;
+use std::task::{Context, Poll, Waker};
 use std::time::Duration;
 
-use catoptric_gpu::{Gpu, GpuChoice, GpuError, GpuFilm, GpuScene, render};
+use catoptric_gpu::{Gpu, GpuChoice, GpuError, GpuFilm, GpuScene, render, wait};
 use catoptric_scene::{Body, Color, Material, MaterialChoice, Phong, Scene};
 use catoptric_tracer::shaders::UnsupportedOnGpu;
 use catoptric_tracer::{RenderControl, RenderSettings};
@@ -26,7 +28,7 @@ fn disturbed(gpu: &Arc<Gpu>, act: impl FnOnce(&Gpu, &RenderControl) + Send + 'st
         }
         act(&other, &watched);
     });
-    let error = render(gpu, &render_scene, render_scene.camera(), LONG, &control).unwrap_err();
+    let error = wait(render(gpu, &render_scene, render_scene.camera(), LONG, &control)).unwrap_err();
     disturber.join().unwrap();
     error
 }
@@ -38,9 +40,9 @@ fn a_card_that_is_lost_in_the_middle_is_an_error() {
     assert!(matches!(error, GpuError::Lost(_)), "{error}");
     // Whatever is asked of it from now on fails in the same way.
     let render_scene = stage_of(&reference("whitted"));
-    let again = render(&gpu, &render_scene, render_scene.camera(), SMALL, &RenderControl::default());
+    let again = wait(render(&gpu, &render_scene, render_scene.camera(), SMALL, &RenderControl::default()));
     assert!(matches!(again, Err(GpuError::Lost(_))), "{again:?}");
-    assert!(GpuFilm::new(&gpu, 8, 8).is_err() && GpuScene::new(&gpu).is_err());
+    assert!(wait(GpuFilm::new(&gpu, 8, 8)).is_err() && wait(GpuScene::new(&gpu)).is_err());
 }
 
 #[test]
@@ -51,7 +53,9 @@ fn a_device_that_a_window_loses_is_an_error() {
     let (device, queue) = device;
     let gpu = Arc::new(Gpu::on(device.clone(), queue).unwrap());
     let render_scene = stage_of(&reference("whitted"));
-    assert!(render(&gpu, &render_scene, render_scene.camera(), SMALL, &RenderControl::default()).is_ok());
+    assert!(
+        wait(render(&gpu, &render_scene, render_scene.camera(), SMALL, &RenderControl::default())).is_ok()
+    );
     let error = disturbed(&gpu, move |_, _| device.destroy());
     assert!(matches!(error, GpuError::Lost(_)), "{error}");
 }
@@ -62,36 +66,68 @@ fn a_render_can_be_cancelled_and_gone_on_with() {
     assert_eq!(disturbed(&gpu, |_, control| control.cancel()), GpuError::Cancelled);
     let render_scene = stage_of(&reference("mirrors"));
     let camera = render_scene.camera();
-    let mut on_card = GpuScene::new(&gpu).unwrap();
-    on_card.follow(&gpu, &render_scene, camera).unwrap();
-    let mut film = GpuFilm::new(&gpu, 200, 100).unwrap();
+    let mut on_card = wait(GpuScene::new(&gpu)).unwrap();
+    wait(on_card.follow(&gpu, &render_scene, camera)).unwrap();
+    let mut film = wait(GpuFilm::new(&gpu, 200, 100)).unwrap();
     let cancelled = RenderControl::default();
     cancelled.cancel();
-    let stopped = film.add_samples(&gpu, (&render_scene, &on_card), camera, 3, &cancelled);
+    let stopped = wait(film.add_samples(&gpu, (&render_scene, &on_card), camera, 3, &cancelled));
     assert_eq!(stopped, Err(GpuError::Cancelled));
-    film.add_samples(&gpu, (&render_scene, &on_card), camera, 3, &RenderControl::default()).unwrap();
+    wait(film.add_samples(&gpu, (&render_scene, &on_card), camera, 3, &RenderControl::default())).unwrap();
     assert_eq!(film.samples(), 3);
     let settings = RenderSettings { width: 200, height: 100, samples: 3 };
-    let whole = render(&gpu, &render_scene, camera, settings, &RenderControl::default()).unwrap();
-    assert_eq!(film.picture(&gpu).unwrap(), whole.picture);
+    let whole = wait(render(&gpu, &render_scene, camera, settings, &RenderControl::default())).unwrap();
+    assert_eq!(wait(film.picture(&gpu)).unwrap(), whole.picture);
+}
+
+/// As a page does it: nobody waits, the work is looked at now and then, and may be given up.
+#[test]
+fn work_that_is_dropped_half_way_can_be_gone_on_with() {
+    let Some(gpu) = card("work_that_is_dropped_half_way_can_be_gone_on_with") else { return };
+    let render_scene = stage_of(&reference("mirrors"));
+    let (camera, control) = (render_scene.camera(), RenderControl::default());
+    let mut on_card = wait(GpuScene::new(&gpu)).unwrap();
+    wait(on_card.follow(&gpu, &render_scene, camera)).unwrap();
+    let mut film = wait(GpuFilm::new(&gpu, 300, 200)).unwrap();
+    let mut waited = 0;
+    for looks in [1, 2, 5, 50] {
+        let mut work = pin!(film.add_samples(&gpu, (&render_scene, &on_card), camera, 4, &control));
+        for _ in 0..looks {
+            match work.as_mut().poll(&mut Context::from_waker(Waker::noop())) {
+                Poll::Ready(done) => {
+                    done.unwrap();
+                    break;
+                }
+                Poll::Pending => waited += 1,
+            }
+            std::thread::sleep(Duration::from_millis(1));
+        }
+    }
+    assert!(waited > 0, "it never gave the thread back");
+    wait(film.add_samples(&gpu, (&render_scene, &on_card), camera, 2, &control)).unwrap();
+    let settings = RenderSettings { width: 300, height: 200, samples: film.samples() };
+    let whole = wait(render(&gpu, &render_scene, camera, settings, &control)).unwrap();
+    assert_eq!(wait(film.picture(&gpu)).unwrap(), whole.picture);
 }
 
 #[test]
 fn absurd_sizes_are_errors() {
     let Some(gpu) = card("absurd_sizes_are_errors") else { return };
-    assert!(matches!(GpuFilm::new(&gpu, 0, 5), Err(GpuError::Size(_))));
-    assert!(matches!(GpuFilm::new(&gpu, u32::MAX, u32::MAX), Err(GpuError::Size(_))));
-    let error = GpuFilm::new(&gpu, 1 << 14, 1 << 14).err().unwrap();
+    assert!(matches!(wait(GpuFilm::new(&gpu, 0, 5)), Err(GpuError::Size(_))));
+    assert!(matches!(wait(GpuFilm::new(&gpu, u32::MAX, u32::MAX)), Err(GpuError::Size(_))));
+    let error = wait(GpuFilm::new(&gpu, 1 << 14, 1 << 14)).err().unwrap();
     assert!(matches!(error, GpuError::TooLarge { .. } | GpuError::OutOfMemory(_)), "{error}");
     // The card is none the worse for it.
     let render_scene = stage_of(&reference("whitted"));
-    assert!(render(&gpu, &render_scene, render_scene.camera(), SMALL, &RenderControl::default()).is_ok());
+    assert!(
+        wait(render(&gpu, &render_scene, render_scene.camera(), SMALL, &RenderControl::default())).is_ok()
+    );
 }
 
 #[test]
 fn a_card_that_is_not_there_is_an_error() {
     let choice = GpuChoice { software: true, name: Some("no card has this name".to_owned()) };
-    let error = Gpu::open(&choice).err().unwrap();
+    let error = wait(Gpu::open(&choice)).err().unwrap();
     assert!(matches!(error, GpuError::NoSuchAdapter { .. } | GpuError::NoAdapter), "{error}");
 }
 
@@ -123,7 +159,8 @@ fn trees_without_end_are_refused() {
     let settings = RenderSettings { width: 2, height: 2, samples: 1 };
     let draw = |generations| {
         let render_scene = stage_of(&panes(generations));
-        render(&gpu, &render_scene, render_scene.camera(), settings, &RenderControl::default()).map(|_| ())
+        wait(render(&gpu, &render_scene, render_scene.camera(), settings, &RenderControl::default()))
+            .map(|_| ())
     };
     assert_eq!(draw(10), Ok(()));
     assert_eq!(draw(64), Err(GpuError::Unsupported(UnsupportedOnGpu::LongTree)));
@@ -154,7 +191,7 @@ fn more_media_than_there_is_room_for_are_refused() {
         let mut scene = scene.clone();
         scene.tracing.generations = 64;
         let render_scene = stage_of(&scene);
-        render(&gpu, &render_scene, render_scene.camera(), SMALL, &RenderControl::default()).map(|_| ())
+        wait(render(&gpu, &render_scene, render_scene.camera(), SMALL, &RenderControl::default())).map(|_| ())
     };
     let mut scene = onion(20);
     scene.camera.position = glam::DVec3::new(0.0, 0.0, 9.0);

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use catoptric_gpu::{Gpu, GpuFilm, GpuScene, render};
+use catoptric_gpu::{Gpu, GpuFilm, GpuScene, render, wait};
 use catoptric_scene::{Body, Light, Material, MaterialChoice, Model, Phong, Projection, Scene, Shape};
 use catoptric_tracer::{RenderControl, RenderScene, RenderSettings};
 use glam::DVec3;
@@ -46,8 +46,8 @@ struct Follower {
 impl Follower {
     fn new(gpu: Arc<Gpu>, scene: Scene) -> (Self, u64) {
         let render_scene = stage_of(&scene);
-        let mut on_card = GpuScene::new(&gpu).unwrap();
-        let sent = on_card.follow(&gpu, &render_scene, render_scene.camera()).unwrap();
+        let mut on_card = wait(GpuScene::new(&gpu)).unwrap();
+        let sent = wait(on_card.follow(&gpu, &render_scene, render_scene.camera())).unwrap();
         (Self { gpu, scene, render_scene, on_card }, sent)
     }
 
@@ -58,25 +58,26 @@ impl Follower {
         let planned = self.render_scene.edit(&self.scene, &after, &[index]).unwrap();
         self.render_scene.apply(planned, &after);
         self.scene = after;
-        self.on_card.follow(&self.gpu, &self.render_scene, self.render_scene.camera()).unwrap()
+        wait(self.on_card.follow(&self.gpu, &self.render_scene, self.render_scene.camera())).unwrap()
     }
 
     /// Whether the picture is that of a scene sent anew.
     fn check(&self) {
         let settings = RenderSettings { width: 96, height: 64, samples: 1 };
-        let mut film = GpuFilm::new(&self.gpu, settings.width, settings.height).unwrap();
+        let mut film = wait(GpuFilm::new(&self.gpu, settings.width, settings.height)).unwrap();
         let control = RenderControl::default();
-        film.add_samples(
+        wait(film.add_samples(
             &self.gpu,
             (&self.render_scene, &self.on_card),
             self.render_scene.camera(),
             1,
             &control,
-        )
+        ))
         .unwrap();
         let anew =
-            render(&self.gpu, &self.render_scene, self.render_scene.camera(), settings, &control).unwrap();
-        assert_eq!(film.picture(&self.gpu).unwrap(), anew.picture);
+            wait(render(&self.gpu, &self.render_scene, self.render_scene.camera(), settings, &control))
+                .unwrap();
+        assert_eq!(wait(film.picture(&self.gpu)).unwrap(), anew.picture);
     }
 }
 
@@ -85,10 +86,9 @@ fn an_edit_sends_only_what_it_changed() {
     let Some(gpu) = card("an_edit_sends_only_what_it_changed") else { return };
     let (mut follower, all) = Follower::new(gpu, lattice(1000));
     assert!(all > 1000 * 100, "{all}");
-    let again = follower
-        .on_card
-        .follow(&follower.gpu, &follower.render_scene, follower.render_scene.camera())
-        .unwrap();
+    let again =
+        wait(follower.on_card.follow(&follower.gpu, &follower.render_scene, follower.render_scene.camera()))
+            .unwrap();
     assert_eq!(again, 0);
     // The body, its leaf of up to four, the nodes on the way to it.
     let moved = follower.edit(17, |body| body.placement = body.placement.moved_by(DVec3::splat(0.05)));
@@ -128,10 +128,9 @@ fn a_light_that_moves_sends_a_light() {
     after.lights[0].position.x += 1.0;
     let planned = follower.render_scene.edit(&follower.scene, &after, &[]).unwrap();
     follower.render_scene.apply(planned, &after);
-    let sent = follower
-        .on_card
-        .follow(&follower.gpu, &follower.render_scene, follower.render_scene.camera())
-        .unwrap();
+    let sent =
+        wait(follower.on_card.follow(&follower.gpu, &follower.render_scene, follower.render_scene.camera()))
+            .unwrap();
     assert_eq!(sent, 32);
     follower.check();
 }
@@ -151,7 +150,8 @@ fn bodies_around_parallel_rays_are_put_in_order() {
         let render_scene = stage_of(&scene);
         let settings = RenderSettings { width: 96, height: 64, samples: 2 };
         let on_gpu =
-            render(&gpu, &render_scene, render_scene.camera(), settings, &RenderControl::default()).unwrap();
+            wait(render(&gpu, &render_scene, render_scene.camera(), settings, &RenderControl::default()))
+                .unwrap();
         let on_cpu = catoptric_tracer::render(&render_scene, settings, &RenderControl::default()).unwrap();
         let difference = catoptric_picture::Difference::between(&on_gpu.picture, &on_cpu.picture).unwrap();
         assert!(difference.share_above < 0.001, "{count}: {difference:?}");

@@ -2,7 +2,7 @@
 
 use std::sync::Mutex;
 
-use catoptric_gpu::{Gpu, GpuFilm, GpuScene};
+use catoptric_gpu::{Gpu, GpuFilm, GpuScene, wait};
 use catoptric_picture::{BitDepth, Development, Difference, Picture, write_png};
 use catoptric_scene::Scene;
 use catoptric_tracer::{NO_BODY, RayCounts, RenderControl, RenderScene, RenderSettings, render};
@@ -28,14 +28,15 @@ pub(crate) fn compare(card: &Gpu, render_scene: &RenderScene, samples: u32) -> C
     let [width, height] = SIZE;
     let settings = RenderSettings { width, height, samples };
     let cpu = render(render_scene, settings, &RenderControl::default()).unwrap();
-    let mut film = GpuFilm::new(card, width, height).unwrap();
-    let mut on_card = GpuScene::new(card).unwrap();
-    on_card.follow(card, render_scene, render_scene.camera()).unwrap();
+    let mut film = wait(GpuFilm::new(card, width, height)).unwrap();
+    let mut on_card = wait(GpuScene::new(card)).unwrap();
+    wait(on_card.follow(card, render_scene, render_scene.camera())).unwrap();
     let control = RenderControl::default();
     let pass =
-        film.add_samples(card, (render_scene, &on_card), render_scene.camera(), samples, &control).unwrap();
-    let picture = film.picture(card).unwrap();
-    let bodies = film.bodies(card).unwrap();
+        wait(film.add_samples(card, (render_scene, &on_card), render_scene.camera(), samples, &control))
+            .unwrap();
+    let picture = wait(film.picture(card)).unwrap();
+    let bodies = wait(film.bodies(card)).unwrap();
     let other_bodies = if samples == 1 { count_other_bodies(render_scene, &bodies) } else { 0 };
     let difference = Difference::between(&picture, &cpu.picture).unwrap();
     Compared { other_bodies, difference, cpu: (cpu.picture, cpu.counts), gpu: (picture, pass.counts) }

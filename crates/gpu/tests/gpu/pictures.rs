@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use catoptric_gpu::{GpuFilm, GpuScene, render};
+use catoptric_gpu::{GpuFilm, GpuScene, render, wait};
 use catoptric_picture::{Difference, Picture};
 use catoptric_scene::{
     Anchor, Body, Checker, Coated, Color, Image, Light, Material, MaterialChoice, Mirror, Model, Pattern,
@@ -169,21 +169,21 @@ fn an_edit_sends_pictures_that_are_new() {
     };
     let mut scene = shapes(&textured(&first).into(), &Material::default());
     scene.environment.surroundings = Surroundings::Picture(patches("around", 200, 100, 1.0));
-    let mut on_card = GpuScene::new(&card).unwrap();
+    let mut on_card = wait(GpuScene::new(&card)).unwrap();
     let render_scene = stage_of(&scene);
-    let all = on_card.follow(&card, &render_scene, render_scene.camera()).unwrap();
+    let all = wait(on_card.follow(&card, &render_scene, render_scene.camera())).unwrap();
     // 20,000 pixels and 2048.
     assert!((3 * ROW..4 * ROW).contains(&all), "{all}");
     let mut edit = |change: &dyn Fn(&mut Scene)| {
         change(&mut scene);
         let render_scene = stage_of(&scene);
-        let sent = on_card.follow(&card, &render_scene, render_scene.camera()).unwrap();
+        let sent = wait(on_card.follow(&card, &render_scene, render_scene.camera())).unwrap();
         let settings = RenderSettings { width: 96, height: 64, samples: 1 };
-        let mut film = GpuFilm::new(&card, settings.width, settings.height).unwrap();
+        let mut film = wait(GpuFilm::new(&card, settings.width, settings.height)).unwrap();
         let control = RenderControl::default();
-        film.add_samples(&card, (&render_scene, &on_card), render_scene.camera(), 1, &control).unwrap();
-        let anew = render(&card, &render_scene, render_scene.camera(), settings, &control).unwrap();
-        assert_eq!(film.picture(&card).unwrap(), anew.picture);
+        wait(film.add_samples(&card, (&render_scene, &on_card), render_scene.camera(), 1, &control)).unwrap();
+        let anew = wait(render(&card, &render_scene, render_scene.camera(), settings, &control)).unwrap();
+        assert_eq!(wait(film.picture(&card)).unwrap(), anew.picture);
         sent
     };
     let give = |material: Material| {

@@ -3,7 +3,7 @@
 use std::io::Write as _;
 use std::sync::Arc;
 
-use catoptric_gpu::{Gpu, GpuChoice, GpuError};
+use catoptric_gpu::{Gpu, GpuChoice, GpuError, wait};
 use catoptric_live::Request;
 use catoptric_picture::Development;
 use catoptric_scene::Color;
@@ -11,7 +11,7 @@ use catoptric_scene::Color;
 use crate::{Window, expected, panes, request};
 
 fn card(test: &str) -> Option<Arc<Gpu>> {
-    match Gpu::open(&GpuChoice { software: true, name: None }) {
+    match wait(Gpu::open(&GpuChoice { software: true, name: None })) {
         Ok(gpu) => Some(Arc::new(gpu)),
         Err(error) => {
             let _ = writeln!(std::io::stderr().lock(), "SKIPPED: {test}: {error}");

@@ -1,7 +1,9 @@
 //! Threads that a page starts as workers.
 
 use std::io;
+use std::pin::pin;
 use std::sync::OnceLock;
+use std::task::{Context, Poll, Waker};
 use std::time::Duration;
 
 use rayon::{ThreadBuilder, ThreadPoolBuilder};
@@ -50,6 +52,15 @@ pub fn sleep(time: Duration) {
         while start.elapsed() < time {
             std::hint::spin_loop();
         }
+    }
+}
+
+/// Does work that is done at once. `None` if it has to wait for something: a browser does nothing for a thread that waits,
+/// so that it would wait for ever.
+pub fn wait<T>(work: impl Future<Output = T>) -> Option<T> {
+    match pin!(work).poll(&mut Context::from_waker(Waker::noop())) {
+        Poll::Ready(done) => Some(done),
+        Poll::Pending => None,
     }
 }
 
