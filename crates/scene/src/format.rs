@@ -23,7 +23,7 @@ mod typed;
 mod update;
 mod write;
 
-pub use address::{AddressError, SceneEdit, SceneKey, ScenePath, SceneValue};
+pub use address::{AddressCompletion, AddressError, SceneEdit, SceneKey, ScenePath, SceneValue};
 pub use check::Problem;
 pub use diagnostic::{Diagnostic, Diagnostics, Related, Severity};
 pub use message::{Number, Phrase, Sentence};

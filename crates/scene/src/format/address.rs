@@ -1,6 +1,7 @@
 //! Single values of a scene by their address, such as `bodies.ball.position.y`: what can be said of them is what the
 //! table of the format says.
 
+mod completion;
 mod edit;
 mod error;
 mod listing;
@@ -8,6 +9,7 @@ mod path;
 mod resolve;
 mod value;
 
+pub use completion::AddressCompletion;
 pub use edit::SceneEdit;
 pub use error::AddressError;
 pub use listing::SceneKey;
@@ -65,7 +67,7 @@ impl Scene {
     }
 
     /// Takes the key at an address away: back to its default, or to nothing for a texture, a sky or a name. Keys that
-    /// need it go with it.
+    /// need it go with it, and of a choice those that its default does not know.
     ///
     /// # Errors
     /// Those of [`Self::set`].
@@ -95,6 +97,24 @@ impl Scene {
     /// materials, lights, bodies, each in the order of the format.
     pub fn keys(&self) -> impl Iterator<Item = SceneKey> + '_ {
         listing::keys(self)
+    }
+
+    /// What an address that begins with `typed` can become, at most `most` in the order of [`Self::keys`]: whole
+    /// addresses if they are not more, else their beginnings up to the next point at which they part. `addresses` tells
+    /// which of a key are meant.
+    ///
+    /// ```
+    /// let scene = catoptric_scene::Scene::default();
+    /// let found = scene.completions("camera.pos", 20, &|key| vec![key.path.clone()]);
+    /// assert_eq!(found[0].text, "camera.position");
+    /// ```
+    pub fn completions(
+        &self,
+        typed: &str,
+        most: usize,
+        addresses: &dyn Fn(&SceneKey) -> Vec<ScenePath>,
+    ) -> Vec<AddressCompletion> {
+        completion::completions(self, typed, most, addresses)
     }
 
     /// The addresses of one part, as in [`Self::keys`]; none where there is no such part.

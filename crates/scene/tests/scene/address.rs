@@ -1,6 +1,6 @@
 //! Values by their addresses.
 
-use catoptric_scene::format::spec::{KeySpec, Kind, Limits};
+use catoptric_scene::format::spec::{Default, KeySpec, Kind, Limits};
 use catoptric_scene::{
     AddressError, Body, Dielectric, Language, List, Material, MaterialChoice, Model, NamedMaterial,
     NoResources, RefractiveIndex, Scene, SceneEdit, SceneKey, ScenePart, ScenePath, SceneValue, Shape,
@@ -230,6 +230,38 @@ fn a_choice_keeps_what_the_new_word_knows() {
     assert_eq!(get(&scene, "lights.1.falloff_constant"), "1");
     set(&mut scene, &["camera.projection=parallel", "camera.height=3"]).unwrap();
     assert!(get(&scene, "camera.fov").starts_with("`fov` is only for `projection` \"perspective\""));
+}
+
+#[test]
+fn a_choice_taken_away_is_as_one_set_to_its_default() {
+    let mut start = scene();
+    let edits = [
+        "bodies.7.shape=paraboloid",
+        "bodies.7.height=2",
+        "bodies.ball.material=",
+        "bodies.ball.material.model=coated",
+        "bodies.ball.material.roughness=0.3",
+        "lights.1.falloff_constant=4",
+        "camera.projection=parallel",
+        "camera.height=3",
+    ];
+    set(
+        &mut start,
+        &edits.map(|edit| edit.replace("bodies.7", "bodies.\"7\"")).each_ref().map(String::as_str),
+    )
+    .unwrap();
+    let mut tried = 0;
+    for key in start.keys().filter(|key| matches!(key.spec.kind, Kind::Choice(_))) {
+        let Default::Text(word) = key.spec.default else { continue };
+        let [mut taken, mut chosen] = [start.clone(), start.clone()];
+        taken.unset(&key.path).unwrap();
+        chosen.set(&key.path, word).unwrap();
+        assert_eq!(taken, chosen, "{}", key.path);
+        assert_eq!(taken.check(), vec![], "{}", key.path);
+        tried += usize::from(key.value != Some(word.into()));
+    }
+    // Two shapes, three models, a falloff and the projection are others than their defaults.
+    assert_eq!(tried, 7);
 }
 
 #[test]
@@ -543,7 +575,7 @@ proptest! {
     fn what_is_set_at_any_key_is_read_back(scene in crate::common::scene(), seed in any::<u64>()) {
         let mut scene = scene;
         if scene.materials.is_empty() {
-            scene.materials.push(NamedMaterial { name: "m".to_owned(), material: Default::default() });
+            scene.materials.push(NamedMaterial { name: "m".to_owned(), material: Material::default() });
         }
         let mut random = Random(seed);
         for key in scene.keys() {

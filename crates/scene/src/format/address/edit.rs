@@ -16,7 +16,7 @@ use crate::format::message::{Collection, Message};
 use crate::format::quote::quoted;
 use crate::format::read::undefined_material;
 use crate::format::record::{Datum, Record};
-use crate::format::spec::{KeySpec, Kind, TableSpec, When};
+use crate::format::spec::{Default, KeySpec, Kind, TableSpec, When};
 use crate::format::toml::{LogicalLine, LogicalLines, Span, Statement, parse};
 use crate::format::tree::{Schema, Table, TableOrigin};
 use crate::image::Image;
@@ -186,6 +186,9 @@ fn put(
         remove(lines, key.name);
         let needing = address.table.keys.iter().filter(|other| other.requires == Some(key.name));
         needing.for_each(|other| remove(lines, other.name));
+        if let Default::Text(word) = key.default {
+            without_meaning(address, word).for_each(|other| remove(lines, other));
+        }
         return Ok(());
     };
     let value = match address.component {
@@ -202,12 +205,7 @@ fn put(
     if let (Kind::Choice(words), SceneValue::Text(word)) = (key.kind, &value)
         && words.contains(&word.as_str())
     {
-        for other in address.table.keys {
-            let When::Choice { choice, values } = other.when else { continue };
-            if choice == key.name && !values.contains(&word.as_str()) {
-                remove(lines, other.name);
-            }
-        }
+        without_meaning(address, word).for_each(|other| remove(lines, other));
     }
     let around = tables.iter().map(|step| (step.key.name, step.element));
     let path: Vec<LineStep> = around.chain([(key.name, None)]).collect();
@@ -223,6 +221,16 @@ fn put(
     // The keys of an element stand between its header and that of the next one, in the order of their numbers.
     lines.sort_by(|one, other| one.elements().cmp(other.elements()));
     Ok(())
+}
+
+/// The keys beside a choice that have no meaning for this word of it.
+fn without_meaning(address: &Address, word: &str) -> impl Iterator<Item = &'static str> {
+    let keys = address.table.keys.iter();
+    keys.filter(move |other| match other.when {
+        When::Choice { choice, values } => choice == address.key.name && !values.contains(&word),
+        When::Always => false,
+    })
+    .map(|other| other.name)
 }
 
 /// Three numbers with another one in a place.

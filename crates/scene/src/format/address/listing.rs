@@ -38,11 +38,16 @@ impl SceneKey {
 
 /// The addresses of a scene in the order of the format.
 pub(super) fn keys(scene: &Scene) -> impl Iterator<Item = SceneKey> + '_ {
-    let parts = [ScenePart::Camera, ScenePart::Environment, ScenePart::Tracing].into_iter();
+    parts(scene).flat_map(|part| keys_of(scene, part))
+}
+
+/// The parts of a scene in the order of their addresses.
+pub(super) fn parts(scene: &Scene) -> impl Iterator<Item = ScenePart> + use<> {
+    let single = [ScenePart::Camera, ScenePart::Environment, ScenePart::Tracing].into_iter();
     let materials = (0..scene.materials.len()).map(ScenePart::Material);
     let lights = (0..scene.lights.len()).map(ScenePart::Light);
     let bodies = (0..scene.bodies.len()).map(ScenePart::Body);
-    parts.chain(materials).chain(lights).chain(bodies).flat_map(|part| keys_of(scene, part))
+    single.chain(materials).chain(lights).chain(bodies)
 }
 
 /// The addresses of a part in the order of the format; none where there is no such part.
@@ -55,7 +60,7 @@ pub(super) fn keys_of(scene: &Scene, part: ScenePart) -> Vec<SceneKey> {
 }
 
 /// The beginning of the addresses of a part.
-fn segments(scene: &Scene, part: ScenePart) -> Vec<PathSegment> {
+pub(super) fn segments(scene: &Scene, part: ScenePart) -> Vec<PathSegment> {
     let element = |list: &str, index: usize| {
         let name = part.name(scene);
         let element =
