@@ -60,7 +60,7 @@ pub(crate) enum Command {
     Serve(ServeArguments),
     /// List the built-in scenes, or write one
     Examples(ExamplesArguments),
-    /// Print a script that completes commands and options
+    /// Print a script for the tab key of a shell: commands, options, scenes, addresses of their values
     Completions(CompletionsArguments),
     /// Print the manual page
     Man(ManArguments),

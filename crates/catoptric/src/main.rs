@@ -5,6 +5,7 @@ mod arguments;
 mod backend;
 mod card;
 mod commands;
+mod completion;
 mod console;
 mod files;
 mod input;
@@ -33,6 +34,9 @@ use console::STATUS_ERROR;
 static ALLOCATOR: allocator::Allocator = allocator::Allocator;
 
 fn main() -> ExitCode {
+    if completion::is_asked() {
+        return ExitCode::SUCCESS;
+    }
     allocator::listen();
     interrupt::listen();
     let outcome = match Arguments::try_parse() {

@@ -26,7 +26,9 @@ const TRIALS: &[(&str, &str)] = &[
     ("manual of a command", "man -M /opt/catoptric/share/man catoptric-render | grep -q -e --samples"),
     (
         "completions",
-        "bash -c '. /opt/catoptric/share/bash-completion/completions/catoptric && complete -p catoptric'",
+        "bash -c '. /opt/catoptric/share/bash-completion/completions/catoptric && complete -p catoptric &&
+             COMP_LINE=\"catoptric render whit\" COMP_POINT=21 COMP_WORDS=(catoptric render whit) COMP_CWORD=2 &&
+             _catoptric catoptric whit render && test \"$COMPREPLY\" = whitted'",
     ),
     ("desktop entry", "desktop-file-validate /opt/catoptric/share/applications/catoptric.desktop"),
     (

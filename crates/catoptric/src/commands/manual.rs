@@ -5,12 +5,11 @@ use clap::CommandFactory as _;
 
 use super::CommandOutcome;
 use crate::arguments::{Arguments, CompletionsArguments, HelpArguments, ManArguments};
+use crate::completion;
 use crate::console::{color_on, print, print_colored};
 
 pub(crate) fn completions(arguments: &CompletionsArguments) -> Result<CommandOutcome> {
-    let mut script = Vec::new();
-    clap_complete::generate(arguments.shell, &mut Arguments::command(), "catoptric", &mut script);
-    print(&String::from_utf8_lossy(&script))?;
+    print(&completion::registration(arguments.shell)?)?;
     Ok(CommandOutcome::Done)
 }
 

@@ -52,16 +52,11 @@ fn help_mentions_every_command_and_the_exit_statuses() {
 }
 
 #[test]
-fn completions_know_the_commands_for_every_shell() {
+fn every_shell_has_a_script_that_asks_the_program() {
     let folder = Folder::new();
     for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
         let script = folder.good(&format!("completions {shell}"));
-        for command in COMMANDS {
-            assert!(script.contains(command), "{shell}: {command}");
-        }
-        assert!(script.contains("tone-curve"), "{shell}");
-        // The generator knows no values for the other two.
-        assert!(script.contains("reinhard") || ["elvish", "powershell"].contains(&shell), "{shell}");
+        assert!(script.contains("CATOPTRIC_COMPLETE") && script.contains(" -- "), "{shell}: {script}");
     }
 }
 

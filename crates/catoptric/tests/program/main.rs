@@ -11,6 +11,7 @@ mod audit;
 mod check;
 mod common;
 mod compare;
+mod completion;
 mod control;
 mod convert;
 #[cfg(all(target_os = "linux", feature = "studio"))]
