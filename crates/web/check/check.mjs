@@ -320,10 +320,13 @@ const CHECKS = {
     await laboratory.touch([[sky, [sky[0] + 60, sky[1] + 20]]]);
     const turned = await laboratory.settled();
     assert(`${turned.view}` !== `${first.view}`, "the view has not turned");
+    // Over bodies, which stay where they are.
     const [x, y] = await laboratory.place(0.5, 0.5);
     await laboratory.touch([[[x - 20, y], [x - 80, y]], [[x + 20, y], [x + 80, y]]]);
     const scaled = await laboratory.settled();
     assert(`${scaled.view}` !== `${turned.view}`, "the view has not come nearer");
+    const bodies = (state) => state.scene.slice(state.scene.indexOf("[[bodies]]"));
+    assert(bodies(scaled) === bodies(first), "a body has moved");
   },
 
   async "the window fits tablets and telephones"(browser) {

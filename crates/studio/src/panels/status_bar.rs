@@ -34,12 +34,14 @@ fn picture_ui(ui: &mut Ui, cx: &Cx<'_>, status: &Status) {
     line(ui);
     method_ui(ui, texts, status);
     size_ui(ui, cx, status);
-    line(ui);
     let time = if status.milliseconds > 0.0 { number(texts, status.milliseconds) } else { dash() };
     let text = texts.with("status-time", &[("time", time.into())]);
     let sample = texts.with("status-time", &[("time", "8888".into())]);
     let passes = passes_in_words(texts, status);
-    cell(ui, &text, &sample, passes.as_deref().or(texts.tip("status-time-name")));
+    if ui.available_width() > width_of(ui, &sample) + 30.0 {
+        line(ui);
+        cell(ui, &text, &sample, passes.as_deref().or(texts.tip("status-time-name")));
+    }
     let rays =
         if status.rays_per_second > 0.0 { number(texts, status.rays_per_second / 1e6) } else { dash() };
     let rays = [rays, "8888".to_owned()].map(|rays| texts.with("status-rays", &[("rays", rays.into())]));

@@ -57,7 +57,7 @@ pub(crate) fn first_steps_ui(context: &Context, cx: &mut Cx<'_>, steps: &mut Fir
     }
     watch(cx, steps);
     let Some(view) = view else { return };
-    if view.width() < 360.0 || view.height() < 260.0 {
+    if view.width() < 480.0 || view.height() < 260.0 {
         return;
     }
     let corner = view.left_bottom() + egui::vec2(14.0, -14.0);

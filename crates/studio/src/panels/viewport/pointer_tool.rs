@@ -177,7 +177,10 @@ impl PointerTool {
 
     /// A frame of a drag.
     fn drag(&mut self, ui: &Ui, cx: &mut Cx<'_>, scene_view: &SceneView) {
-        if ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
+        // Two fingers scale the view; what the first one has begun is not meant.
+        let is_pinched = !matches!(self.action, PointerAction::Cancelled)
+            && ui.input(|input| input.multi_touch().is_some());
+        if is_pinched || ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
             cx.editor.abandon();
             if let (Some(before), Some(free)) = (self.free_before, &mut cx.view.free_camera) {
                 *free = before;
