@@ -29,8 +29,10 @@ const SLIM: [&str; 4] = ["--package", "catoptric", "--locked", "--no-default-fea
 const SYSTEMS: [(&str, &str, &str); 3] = [
     ("catoptric", "aarch64-apple-darwin", ""),
     ("catoptric", "x86_64-pc-windows-gnu", ""),
-    ("catoptric-gpu", "wasm32-unknown-unknown", "webgpu"),
+    ("catoptric-gpu", BROWSER_TARGET, "webgpu"),
 ];
+
+const BROWSER_TARGET: &str = "wasm32-unknown-unknown";
 
 /// Runs everything and says what had to be skipped.
 pub(crate) fn run(extent: Extent) -> Result<()> {
@@ -81,12 +83,12 @@ fn checks(extent: Extent) -> Result<Vec<String>> {
         run_cargo(&[&["clippy"], &SLIM[..], &["--", "-D", "warnings"]].concat())
     })?;
     // In a browser the studio runs without the program.
-    skipped.extend(check_for("catoptric-web", "wasm32-unknown-unknown", "")?);
+    skipped.extend(check_for("catoptric-web", BROWSER_TARGET, "")?);
     step("documentation", || {
         let arguments = ["doc", "--workspace", "--no-deps", "--locked", "--document-private-items"];
         shell::run(cargo(&arguments).env("RUSTDOCFLAGS", "-D warnings"))
     })?;
-    skipped.extend(packages::provide());
+    skipped.extend(packages::provide(&packages::WINDOW));
     // The examples of the crates are measurements: the lints have seen them, and no test needs them linked.
     step("tests", || run_cargo(&["test", "--workspace", "--lib", "--bins", "--tests", "--locked"]))?;
     step("programs in the documentation", || run_cargo(&["test", "--workspace", "--doc", "--locked"]))?;
@@ -96,19 +98,41 @@ fn checks(extent: Extent) -> Result<Vec<String>> {
             skipped.extend(check_for(package, target, feature)?);
         }
         skipped.extend(deny()?);
-        step("the laboratory in a browser", || {
-            run_cargo(&["run", "--package", "xtask", "--features", "web", "--locked", "--", "web", "--check"])
-        })?;
+        skipped.extend(browser()?);
     }
     Ok(skipped)
 }
 
+/// Drives the laboratory in a browser; returns why that cannot be done, if so.
+fn browser() -> Result<Option<String>> {
+    let what = packages::BROWSER.what;
+    if !exists("npm", "--version") {
+        return Ok(Some(format!("{what}: there is no npm to install Playwright with")));
+    }
+    if !has_library(BROWSER_TARGET)? {
+        return Ok(Some(format!("{what}: {}", library_advice(BROWSER_TARGET))));
+    }
+    if let Some(reason) = packages::provide(&packages::BROWSER) {
+        return Ok(Some(reason));
+    }
+    let web = ["run", "--package", "xtask", "--features", "web", "--locked", "--", "web", "--check"];
+    step(what, || run_cargo(&web)).map(|()| None)
+}
+
+/// Whether the standard library for a system is installed.
+fn has_library(target: &str) -> Result<bool> {
+    let library = output(&mut command("rustc", &["--print", "target-libdir", "--target", target]))?;
+    Ok(Path::new(library.trim()).exists())
+}
+
+fn library_advice(target: &str) -> String {
+    format!("its standard library is not installed (rustup target add {target})")
+}
+
 /// Checks a package's Rust for another system; returns why that cannot be done, if so.
 fn check_for(package: &str, target: &str, features: &str) -> Result<Option<String>> {
-    let library = output(&mut command("rustc", &["--print", "target-libdir", "--target", target]))?;
-    if !Path::new(library.trim()).exists() {
-        let advice = format!("its standard library is not installed (rustup target add {target})");
-        return Ok(Some(format!("{package} on {target}: {advice}")));
+    if !has_library(target)? {
+        return Ok(Some(format!("{package} on {target}: {}", library_advice(target))));
     }
     step(&format!("{package} on {target}"), || {
         let mut check = cargo(&["check", "--package", package, "--locked", "--target", target]);
