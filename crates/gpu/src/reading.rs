@@ -83,14 +83,20 @@ impl Gpu {
 
 /// What the driver says of a mapping, and who waits for it.
 #[derive(Default)]
-struct MapAnswer(Mutex<(Option<Result<(), wgpu::BufferAsyncError>>, Option<Waker>)>);
+struct MapAnswer(Mutex<MapState>);
+
+#[derive(Default)]
+struct MapState {
+    mapped: Option<Result<(), wgpu::BufferAsyncError>>,
+    waker: Option<Waker>,
+}
 
 impl MapAnswer {
     fn give(&self, mapped: Result<(), wgpu::BufferAsyncError>) {
         let waker = {
             let mut state = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-            state.0 = Some(mapped);
-            state.1.take()
+            state.mapped = Some(mapped);
+            state.waker.take()
         };
         if let Some(waker) = waker {
             waker.wake();
@@ -99,11 +105,11 @@ impl MapAnswer {
 
     /// Has the answer wake whoever waits.
     fn call(&self, waker: &Waker) {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).1 = Some(waker.clone());
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).waker = Some(waker.clone());
     }
 
     fn take(&self) -> Option<Result<(), wgpu::BufferAsyncError>> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).0.take()
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).mapped.take()
     }
 }
 
