@@ -42,7 +42,8 @@ const BASH: &str = r#"_catoptric() {
         words[index]="${words[index]//\\/}"
     done
     COMPREPLY=()
-    while IFS= read -r line; do
+    # The last line has no end.
+    while IFS= read -r line || [[ -n $line ]]; do
         line="${line#"${prefix//\\/}"}"
         if [[ $piece != [\"\']* ]]; then
             line="${line// /\\ }"

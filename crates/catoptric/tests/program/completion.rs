@@ -56,7 +56,7 @@ fn commands_options_scenes_and_formats_are_offered() {
     assert!(!words(&folder, &["audit", ""]).contains(&"notes.txt".to_owned()));
     assert_eq!(words(&folder, &["examples", "whit"]), ["whitted"]);
     assert_eq!(words(&folder, &["man", "mea"]), ["measure"]);
-    assert_eq!(words(&folder, &["render", "whitted", "-o", "a.pn"]), ["a.png"]);
+    assert_eq!(words(&folder, &["render", "whitted", "-o", "a.pn"]), ["a.png", "a.pnm"]);
     assert_eq!(words(&folder, &["render", "whitted", "--format", "ex"]), ["exr"]);
     assert!(words(&folder, &["convert", "a", "b", "--format", ""]).contains(&"nff".to_owned()));
     assert_eq!(words(&folder, &["render", "whitted", "--tone-curve", "rein"]), ["reinhard"]);
@@ -198,10 +198,10 @@ fn bash_gets_whole_words_and_replaces_their_last_piece() {
             "bodies.ball.radius=\n",
         ),
         (
-            "catoptric check my.toml --set bodies.ball.shape=",
-            &["--set", "bodies.ball.shape", "="],
+            "catoptric check my.toml --set camera.projection=",
+            &["--set", "camera.projection", "="],
             "",
-            "sphere\ncube\ncylinder\ncone\nparaboloid\nplane\n",
+            "perspective\nparallel\n",
         ),
         (
             "catoptric check my.toml --set bodies.ball.shape=cu",
