@@ -3,7 +3,7 @@
 use glam::{DAffine3, DVec3};
 
 use crate::compound::{
-    BodyPart, BodyShape, Form, ParametricShape, box_corners, each_part_mut, part_materials,
+    BodyPart, BodyShape, Form, Instance, ParametricShape, box_corners, each_part_mut, part_materials,
 };
 use crate::material::MaterialChoice;
 use crate::placement::Placement;
@@ -29,6 +29,8 @@ pub struct Body {
     pub parts: Vec<BodyPart>,
     /// What [shape](Self::shape) and parts are the [expansion](ParametricShape::expansion) of, if they are one.
     pub parametric: Option<Box<ParametricShape>>,
+    /// What the body is an instance of, if it is one: it has the shape of that, and no parts of its own.
+    pub instance: Option<Instance>,
 }
 
 impl Body {
@@ -44,8 +46,10 @@ impl Body {
         self.form().body_shape()
     }
 
-    /// Gives the body another shape. One that is given its parts keeps those that the body has.
+    /// Gives the body another shape. One that is given its parts keeps those that the body has. An instance becomes a
+    /// body of its own.
     pub fn set_shape(&mut self, shape: BodyShape) {
+        self.make_own();
         (self.shape, self.parts, self.parametric) = shape.into_form(std::mem::take(&mut self.parts));
     }
 
@@ -58,8 +62,8 @@ impl Body {
 
     /// Its geometry.
     pub fn form(&self) -> Form<'_> {
-        let expanded = self.parametric.as_deref();
-        Form { shape: self.shape, placement: self.placement, parts: &self.parts, expanded }
+        let own = (self.parts.as_slice(), self.parametric.as_deref());
+        Form::new(self.shape, self.placement, own, self.instance.as_ref())
     }
 
     /// The shape with the height that it has where it stands: its own, or the distance between its base and top points.

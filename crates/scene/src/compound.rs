@@ -1,9 +1,12 @@
 //! Compound bodies: unions, intersections, differences and groups of parts.
 
+mod instance;
 mod parametric;
 
 use glam::{DAffine3, DVec3};
 
+pub use instance::Instance;
+pub(crate) use instance::{InstanceFault, InstanceProblem};
 pub use parametric::{
     BodyShape, Bowl, DishDepth, DishProfile, Expansion, Lens, LensCurvature, MirrorDish, ParametricShape,
     Prism, Ring, Tube, Wedge,
@@ -29,6 +32,8 @@ pub struct BodyPart {
     pub parts: Vec<BodyPart>,
     /// What [shape](Self::shape) and parts are the [expansion](ParametricShape::expansion) of, if they are one.
     pub parametric: Option<Box<ParametricShape>>,
+    /// What it is an instance of, if it is one: it has the shape of that, and no parts of its own.
+    pub instance: Option<Instance>,
 }
 
 /// A simple part where it stands.
@@ -54,6 +59,8 @@ pub struct Form<'a> {
     pub parts: &'a [BodyPart],
     /// What shape and parts are the expansion of, unless they have been changed since.
     pub(crate) expanded: Option<&'a ParametricShape>,
+    /// What it is an instance of, if it is one.
+    pub instance: Option<&'a Instance>,
 }
 
 impl Shape {
@@ -66,8 +73,8 @@ impl Shape {
 impl BodyPart {
     /// Its geometry.
     pub fn form(&self) -> Form<'_> {
-        let expanded = self.parametric.as_deref();
-        Form { shape: self.shape, placement: self.placement, parts: &self.parts, expanded }
+        let own = (self.parts.as_slice(), self.parametric.as_deref());
+        Form::new(self.shape, self.placement, own, self.instance.as_ref())
     }
 }
 
@@ -81,6 +88,14 @@ pub(crate) fn part_materials(parts: &[BodyPart]) -> Vec<&MaterialChoice> {
     materials
 }
 
+/// Shows all parts, and the parts within them after these.
+pub(crate) fn each_part<'a>(parts: &'a [BodyPart], take: &mut impl FnMut(&'a BodyPart)) {
+    for part in parts {
+        take(part);
+        each_part(&part.parts, take);
+    }
+}
+
 /// Changes all parts, and the parts within them after these.
 pub(crate) fn each_part_mut(parts: &mut [BodyPart], change: &mut impl FnMut(&mut BodyPart)) {
     for part in parts {
@@ -90,6 +105,18 @@ pub(crate) fn each_part_mut(parts: &mut [BodyPart], change: &mut impl FnMut(&mut
 }
 
 impl<'a> Form<'a> {
+    /// An instance has the parts of what it is an instance of in the place of its own.
+    pub(crate) fn new(
+        shape: Shape,
+        placement: Placement,
+        own: (&'a [BodyPart], Option<&'a ParametricShape>),
+        instance: Option<&'a Instance>,
+    ) -> Self {
+        let of_instance = |instance: &'a Instance| (instance.parts(), instance.parametric());
+        let (parts, expanded) = instance.map_or(own, of_instance);
+        Self { shape, placement, parts, expanded, instance }
+    }
+
     /// The shape with the height that it has where it stands: its own, or the distance between its base and top points.
     pub fn sized_shape(&self) -> Shape {
         let mut shape = self.shape;

@@ -23,8 +23,8 @@ pub use body::Body;
 pub use camera::{Camera, Projection};
 pub use color::Color;
 pub use compound::{
-    BodyPart, BodyShape, Bowl, DishDepth, DishProfile, Expansion, Form, Lens, LensCurvature, MirrorDish,
-    ParametricShape, Prism, Ring, SimplePart, Tube, Wedge,
+    BodyPart, BodyShape, Bowl, DishDepth, DishProfile, Expansion, Form, Instance, Lens, LensCurvature,
+    MirrorDish, ParametricShape, Prism, Ring, SimplePart, Tube, Wedge,
 };
 pub use environment::{Environment, Sky, Surroundings};
 pub use examples::Example;

@@ -58,6 +58,7 @@ impl HasImages for Scene {
                 body.edit_images(edit);
             }
         }
+        self.follow_instances();
     }
 }
 

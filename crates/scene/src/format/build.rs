@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use crate::body::Body;
 use crate::camera::{Camera, Projection};
-use crate::compound::{BodyPart, BodyShape};
+use crate::compound::{BodyPart, BodyShape, Instance};
 use crate::format::diagnostic::{Diagnostic, Diagnostics};
 use crate::format::keys;
 use crate::format::material;
@@ -53,6 +53,8 @@ struct BuiltPart {
 pub(crate) struct PartPositions {
     /// The names of their materials.
     pub(crate) materials: Vec<(String, Span)>,
+    /// The names of what they, or the body itself, are instances of.
+    pub(crate) instances: Vec<(String, Span)>,
     /// Intersections that hold nothing.
     pub(crate) empty: Vec<(&'static str, Span)>,
 }
@@ -183,7 +185,7 @@ impl<'t> SceneBuilder<'_, 't> {
         let built = self.part_of(&keys::BODY, table, &mut parts);
         let mut fields = Fields { text: self.text, spec: &keys::BODY, table, found: self.found };
         let (hidden, locked) = (fields.flag("hidden"), fields.flag("locked"));
-        let BodyPart { name, shape, placement, material, parts: own, parametric } = built.part;
+        let BodyPart { name, shape, placement, material, parts: own, parametric, instance } = built.part;
         let body = Body {
             name,
             shape,
@@ -193,6 +195,7 @@ impl<'t> SceneBuilder<'_, 't> {
             locked: locked.unwrap_or_default(),
             parts: own,
             parametric,
+            instance,
         };
         let name_span = table.get("name").map(|value| value.span);
         BuiltBody { body, is_known: built.is_known, name_span, material_span: built.material_span, parts }
@@ -207,6 +210,7 @@ impl<'t> SceneBuilder<'_, 't> {
     ) -> BuiltPart {
         let mut fields = self.fields(spec, table);
         let name = fields.text("name").unwrap_or_default();
+        let instance_of = fields.text("instance_of");
         let shape = shape(&mut fields);
         let anchor = anchor(&mut fields, shape);
         let scale = fields.number_or_vector("scale").unwrap_or(DVec3::ONE);
@@ -219,7 +223,12 @@ impl<'t> SceneBuilder<'_, 't> {
         }
         let (shape, parts, parametric) = shape.into_form(parts);
         let placement = Placement { anchor, scale };
-        let part = BodyPart { name, shape, placement, material, parts, parametric };
+        let has_own_material = material.is_some();
+        let instance = instance_of.map(|of| Instance::new(of, has_own_material));
+        if let (Some(instance), Some(value)) = (&instance, table.get("instance_of")) {
+            places.instances.push((instance.of.clone(), value.span));
+        }
+        let part = BodyPart { name, shape, placement, material, parts, parametric, instance };
         let broken = rules::parts(&part.form());
         let is_known = is_known && broken.is_none();
         if are_known {
@@ -227,6 +236,7 @@ impl<'t> SceneBuilder<'_, 't> {
             if let Some(broken) = broken {
                 report(&mut fields, broken, &["shape"]);
             } else if let Some(value) = table.get("shape")
+                && part.parts.iter().all(|part| part.instance.is_none())
                 && rules::is_empty(&part.form())
             {
                 places.empty.push((part.shape.key(), value.span));

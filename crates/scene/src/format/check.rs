@@ -6,7 +6,7 @@ use std::fmt;
 use crate::Scene;
 use crate::body::Body;
 use crate::camera::Camera;
-use crate::compound::Form;
+use crate::compound::{Form, InstanceFault};
 use crate::format::material;
 use crate::format::message::{Collection, Component, FoundValue, Message, Subject};
 use crate::format::quote::quoted;
@@ -94,6 +94,7 @@ impl Scene {
             check.body(index, body);
         }
         check.names(self);
+        check.instances(self, |_| true);
         check.problems
     }
 
@@ -134,6 +135,7 @@ impl Scene {
                     check.other_uses(Collection::Bodies, names, &body.name, part);
                     let is_defined = |name: &str| self.materials.iter().any(|named| named.name == name);
                     check.undefined(index, body, is_defined);
+                    check.instances(self, |fault| fault.body == index);
                 }
             }
         }
@@ -218,7 +220,8 @@ impl SceneValidator {
         self.record(of, record);
         let is_in_range = self.problems.len() == before;
         self.place(of, form, is_in_range);
-        if form.parametric().is_some() {
+        // The parts of instances are looked at where they are.
+        if form.instance.is_some() || form.parametric().is_some() {
             return;
         }
         if !form.shape.is_compound() && !form.parts.is_empty() {
@@ -314,6 +317,16 @@ impl SceneValidator {
         for name in body.materials().filter_map(MaterialChoice::name).filter(|name| !is_defined(name)) {
             let of = NamedPart { part: ScenePart::Body(index), name: &body.name, within: String::new() };
             self.add(&of, "material", Message::Undefined { name: quoted(name) });
+        }
+    }
+
+    /// Instances that cannot be.
+    fn instances(&mut self, scene: &Scene, is_asked: impl Fn(&InstanceFault) -> bool) {
+        for fault in scene.instance_faults().iter().filter(|fault| is_asked(fault)) {
+            let Some(body) = scene.bodies.get(fault.body) else { continue };
+            let of = NamedPart { part: ScenePart::Body(fault.body), name: &body.name, within: String::new() };
+            let broken = rules::instance(fault);
+            self.add(&of, broken.key, broken.message);
         }
     }
 

@@ -326,6 +326,7 @@ pub static BODY: TableSpec = TableSpec {
     doc: "A body: a shape, where it stands and what it is made of",
     keys: &[
         KeySpec::new("name", Kind::Text, "a name that no other body has"),
+        INSTANCE_OF,
         SHAPE,
         SIDES,
         RADIUS,
@@ -368,6 +369,7 @@ pub static PART: TableSpec = TableSpec {
     doc: "A part of a body: a shape, where it stands in the frame of the whole and what it is made of",
     keys: &[
         KeySpec::new("name", Kind::Text, "a name that no other part of the same whole has"),
+        INSTANCE_OF,
         SHAPE,
         SIDES,
         RADIUS,
@@ -401,6 +403,30 @@ pub static PART: TableSpec = TableSpec {
     ],
 };
 
+const INSTANCE_OF: KeySpec = KeySpec::new(
+    "instance_of",
+    Kind::Text,
+    "the name of a body whose shape, sizes and parts it has, and whose material unless it has its own",
+)
+.excluding(&[
+    "shape",
+    "sides",
+    "radius",
+    "inner_radius",
+    "top_radius",
+    "size",
+    "thickness",
+    "height",
+    "profile",
+    "focal_length",
+    "ior",
+    "curvature_radius",
+    "front_radius",
+    "back_radius",
+    "base",
+    "top",
+    "parts",
+]);
 const SHAPE: KeySpec = KeySpec::new("shape", Kind::Choice(&SHAPE_NAMES), "the shape of the body")
     .or(Default::Text(ShapeKind::Sphere.key()))
     .written();

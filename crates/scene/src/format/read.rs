@@ -21,7 +21,7 @@ use toml_parser::lexer::TokenKind;
 
 use list::{ListKind, ListReader};
 use names::SourcePositions;
-pub(crate) use names::undefined_material;
+pub(crate) use names::{instance_fault, undefined_material};
 
 /// Longest text in bytes: 1 GiB.
 pub const LONGEST_TEXT: usize = 1 << 30;
@@ -270,6 +270,7 @@ impl<'t> Reader<'t> {
         let is_used =
             names::check_materials(&mut self.scene, &self.places, self.has_lost_tables, &mut self.found);
         names::check_unique(&mut self.scene, &self.places, &mut self.found);
+        names::follow_instances(&mut self.scene, &self.places, self.has_lost_tables, &mut self.found);
         names::remove_unknown(&mut self.scene, &self.places);
         let is_known = self.version();
         if !is_known {

@@ -117,7 +117,10 @@ impl<'a> Record<'a> {
                 let When::Choice { choice, .. } = key.when else { return false };
                 key.default_number(self.chosen(choice)) == Some(*value)
             }
-            (Default::EmptyTable, Datum::Table(record)) => record.is_all_default(),
+            // Without a material an instance has that of the other body.
+            (Default::EmptyTable, Datum::Table(record)) => {
+                record.is_all_default() && self.get("instance_of").is_none()
+            }
             _ => false,
         }
     }
@@ -209,21 +212,38 @@ pub(crate) fn light(light: &Light) -> Record<'_> {
 }
 
 pub(crate) fn body(body: &Body) -> Record<'_> {
-    let record = geometry(Record::new(&keys::BODY).name(&body.name), &body.form());
-    let record = material_choice(record, &body.material);
+    let mut record = geometry(Record::new(&keys::BODY).name(&body.name), &body.form());
+    if body.instance.as_ref().is_none_or(|instance| instance.has_own_material) {
+        record = material_choice(record, &body.material);
+    }
     with_parts(record.flag("hidden", body.hidden).flag("locked", body.locked), &body.form())
 }
 
 pub(crate) fn part(part: &BodyPart) -> Record<'_> {
     let mut record = geometry(Record::new(&keys::PART).name(&part.name), &part.form());
-    if let Some(material) = &part.material {
+    let takes_other = part.instance.as_ref().is_some_and(|instance| !instance.has_own_material);
+    if let Some(material) = part.material.as_ref().filter(|_| !takes_other) {
         record = material_choice(record, material);
     }
     with_parts(record, &part.form())
 }
 
-/// Shape, sizes and place.
-fn geometry<'a>(record: Record<'a>, form: &Form<'_>) -> Record<'a> {
+/// Shape, sizes and place; of an instance, what it is one of and its place.
+fn geometry<'a>(record: Record<'a>, form: &Form<'a>) -> Record<'a> {
+    let record = match form.instance {
+        Some(instance) => record.text("instance_of", &instance.of),
+        None => sizes(record, form),
+    };
+    let record = match form.placement.anchor {
+        Anchor::Frame { position, rotation_degrees } => {
+            record.vector("position", position).vector("rotation", rotation_degrees)
+        }
+        Anchor::Axis { base, top } => record.vector("base", base).vector("top", top),
+    };
+    record.number_or_vector("scale", form.placement.scale)
+}
+
+fn sizes<'a>(record: Record<'a>, form: &Form<'_>) -> Record<'a> {
     let shape = form.body_shape();
     let mut record = record.with("shape", Datum::Text(Cow::Borrowed(shape.key())));
     let is_on_axis = matches!(form.placement.anchor, Anchor::Axis { .. });
@@ -241,13 +261,7 @@ fn geometry<'a>(record: Record<'a>, form: &Form<'_>) -> Record<'a> {
             record = record.text(key.name, word);
         }
     }
-    record = match form.placement.anchor {
-        Anchor::Frame { position, rotation_degrees } => {
-            record.vector("position", position).vector("rotation", rotation_degrees)
-        }
-        Anchor::Axis { base, top } => record.vector("base", base).vector("top", top),
-    };
-    record.number_or_vector("scale", form.placement.scale)
+    record
 }
 
 fn material_choice<'a>(record: Record<'a>, choice: &'a MaterialChoice) -> Record<'a> {
@@ -259,7 +273,7 @@ fn material_choice<'a>(record: Record<'a>, choice: &'a MaterialChoice) -> Record
 
 /// The parts of a shape that is given them.
 fn with_parts<'a>(record: Record<'a>, form: &Form<'a>) -> Record<'a> {
-    match form.body_shape().kind().is_compound() {
+    match form.instance.is_none() && form.body_shape().kind().is_compound() {
         true => record.with("parts", Datum::Tables(form.parts.iter().map(part).collect())),
         false => record,
     }

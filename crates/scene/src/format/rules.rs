@@ -2,10 +2,11 @@
 
 use glam::{DAffine3, DVec3};
 
-use crate::compound::{BodyShape, BrokenSize, Form, SizeFault};
+use crate::Scene;
+use crate::compound::{BodyShape, BrokenSize, Form, InstanceFault, InstanceProblem, SizeFault};
 use crate::format::message::{Component, FoundValue, Message, Subject, size_fault, size_help};
+use crate::format::quote::quoted;
 use crate::format::spec::Limits;
-
 use crate::shape::Shape;
 
 /// Directions are parallel if the sine of the angle between them is less than this: some thousand times the error of
@@ -131,6 +132,27 @@ pub(crate) fn parts(form: &Form<'_>) -> Option<BrokenRule> {
         },
         help: Message::GroupHasMore,
     })
+}
+
+/// An instance needs another body, which must not need it, and there is an end to what instances can be.
+pub(crate) fn instance(fault: &InstanceFault) -> BrokenRule {
+    let name = quoted(&fault.of);
+    let (message, help) = match fault.problem {
+        InstanceProblem::Unknown => (Message::UndefinedBody { name }, Message::InstanceOfBody),
+        InstanceProblem::OfItself => (Message::InstanceOfItself { name }, Message::InstanceOfOther),
+        InstanceProblem::TooDeep => {
+            (Message::PartsTooDeep, Message::DeepestParts { most: Shape::MAX_DEPTH.to_string() })
+        }
+        InstanceProblem::TooManyParts { shape, count } => {
+            let (count, most) = (count.to_string(), Shape::MAX_PARTS.to_string());
+            (Message::TooManyParts { shape: shape.key(), count, most }, Message::GroupHasMore)
+        }
+        InstanceProblem::TooMany { count } => {
+            let most = Scene::MAX_INSTANCED.to_string();
+            (Message::TooManyInstances { count: count.to_string(), most }, Message::FewerInstances)
+        }
+    };
+    BrokenRule { key: "instance_of", message, help }
 }
 
 /// Whether an intersection holds nothing, as far as the boxes around its parts show it.

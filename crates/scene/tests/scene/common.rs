@@ -3,7 +3,7 @@
 use catoptric_optics::{CLEAR, METALS};
 use catoptric_scene::{
     Anchor, Attenuation, Body, BodyPart, BodyShape, Camera, Checker, CheckerSpace, Coated, Color, Conductor,
-    Dielectric, Environment, Falloff, Image, ImageSource, Light, Material, MaterialChoice, Matte,
+    Dielectric, Environment, Falloff, Image, ImageSource, Instance, Light, Material, MaterialChoice, Matte,
     MetalOptics, Mirror, Model, NamedMaterial, ParaboloidDepth, Pattern, Phong, Placement, Projection,
     RefractiveIndex, Scene, Shape, ShapeKind, Sky, Surroundings, ThinDielectric, Tracing,
 };
@@ -273,7 +273,7 @@ fn part() -> impl Strategy<Value = BodyPart> {
             let body = Body::of_shape(shape);
             let placement = Placement { scale, ..Placement::at(position) };
             let (shape, parts, parametric) = (body.shape, body.parts, body.parametric);
-            BodyPart { name, shape, placement, material, parts, parametric }
+            BodyPart { name, shape, placement, material, parts, parametric, instance: None }
         },
     );
     let alone = prop_oneof![4 => simple, 1 => parametric];
@@ -287,7 +287,7 @@ fn part() -> impl Strategy<Value = BodyPart> {
                 placement: Placement { scale, ..Placement::at(position) },
                 material,
                 parts: unique(parts, |part| &mut part.name),
-                parametric: None,
+                ..BodyPart::default()
             })
     })
 }
@@ -295,9 +295,9 @@ fn part() -> impl Strategy<Value = BodyPart> {
 fn body() -> BoxedStrategy<Body> {
     (part(), choice(), any::<[bool; 2]>())
         .prop_map(|(part, own, [hidden, locked])| {
-            let BodyPart { name, shape, placement, material, parts, parametric } = part;
+            let BodyPart { name, shape, placement, material, parts, parametric, instance } = part;
             let material = material.unwrap_or(own);
-            Body { name, shape, placement, material, hidden, locked, parts, parametric }
+            Body { name, shape, placement, material, hidden, locked, parts, parametric, instance }
         })
         .boxed()
 }
@@ -319,7 +319,9 @@ pub(crate) fn scene() -> impl Strategy<Value = Scene> {
     let bodies = proptest::collection::vec(body(), 0..5);
     let around = (around(), -1e6..=1e6f64, amount());
     let surroundings = (camera(), color(), color(), around, 1..=64u32, 0.0..=1.0f64);
-    (surroundings, materials, lights, bodies).prop_map(|(surroundings, materials, lights, bodies)| {
+    let instances = proptest::collection::vec((place(), any::<[bool; 2]>()), 0..3);
+    let lists = (materials, lights, bodies, instances);
+    (surroundings, lists).prop_map(|(surroundings, (materials, lights, bodies, instances))| {
         let (camera, background, ambient, around, generations, threshold) = surroundings;
         let (surroundings, rotation_degrees, strength) = around;
         let materials =
@@ -338,13 +340,25 @@ pub(crate) fn scene() -> impl Strategy<Value = Scene> {
                 }
             });
         }
-        Scene {
+        let original = bodies.first().map(|body| body.name.clone()).filter(|name| !name.is_empty());
+        if let Some(original) = original {
+            let instance = |(position, [own, hidden]): (DVec3, [bool; 2])| Body {
+                placement: Placement::at(position),
+                hidden,
+                instance: Some(Instance::new(original.clone(), own)),
+                ..Body::default()
+            };
+            bodies.extend(instances.into_iter().map(instance));
+        }
+        let mut scene = Scene {
             camera,
             environment: Environment { background, ambient, surroundings, rotation_degrees, strength },
             tracing: Tracing { generations, threshold },
             materials,
             lights: unique(lights, |light| &mut light.name),
             bodies: bodies.into(),
-        }
+        };
+        scene.follow_instances();
+        scene
     })
 }

@@ -10,6 +10,7 @@
 mod address;
 mod common;
 mod hints;
+mod instances;
 mod malformed;
 mod parametric;
 mod properties;

@@ -14,7 +14,7 @@ use crate::format::build::SceneBuilder;
 use crate::format::diagnostic::{Diagnostic, Diagnostics, Severity};
 use crate::format::message::{Collection, Message};
 use crate::format::quote::quoted;
-use crate::format::read::undefined_material;
+use crate::format::read::{instance_fault, undefined_material};
 use crate::format::record::{Datum, Record};
 use crate::format::spec::{Default, KeySpec, Kind, TableSpec, When};
 use crate::format::toml::{LogicalLine, LogicalLines, Span, Statement, parse};
@@ -182,18 +182,13 @@ fn put(
 ) -> Result<(), Box<Diagnostic>> {
     let Address { key, tables, .. } = address;
     let remove = |lines: &mut Vec<ElementLine>, name: &str| lines.retain(|line| !line.is_of(tables, name));
-    let Some(value) = value else {
-        remove(lines, key.name);
-        let needing = address.table.keys.iter().filter(|other| other.requires == Some(key.name));
-        needing.for_each(|other| remove(lines, other.name));
-        if let Default::Text(word) = key.default {
-            without_meaning(address, word).for_each(|other| remove(lines, other));
-        }
-        return Ok(());
-    };
-    let value = match address.component {
-        None => value.clone(),
-        Some(index) => {
+    let value = match (value, address.component) {
+        (None, _) => match take_away(lines, address) {
+            Some(default) => default,
+            None => return Ok(()),
+        },
+        (Some(value), None) => value.clone(),
+        (Some(value), Some(index)) => {
             let old = lines.iter().find(|line| line.is_of(tables, key.name));
             let old = old.map(|line| line.value.as_ref().and_then(SceneValue::three));
             let old = old.unwrap_or_else(|| key.default_vector());
@@ -221,6 +216,38 @@ fn put(
     // The keys of an element stand between its header and that of the next one, in the order of their numbers.
     lines.sort_by(|one, other| one.elements().cmp(other.elements()));
     Ok(())
+}
+
+/// Takes a key away, and those that have no meaning without it. A table stays when its last key goes: the value that has
+/// to stand there then.
+fn take_away(lines: &mut Vec<ElementLine>, address: &Address) -> Option<SceneValue> {
+    let Address { key, tables, .. } = address;
+    let has_table = |lines: &[ElementLine]| {
+        let is_of = |(table, around): (&TableStep, &[TableStep])| {
+            lines.iter().any(|line| line.is_of(around, table.key.name))
+        };
+        tables.split_last().is_some_and(is_of)
+    };
+    let had_table = has_table(lines);
+    let mut remove = |name: &str| lines.retain(|line| !line.is_of(tables, name));
+    remove(key.name);
+    let needing = address.table.keys.iter().filter(|other| other.requires == Some(key.name));
+    needing.for_each(|other| remove(other.name));
+    if let Default::Text(word) = key.default {
+        without_meaning(address, word).for_each(&mut remove);
+    }
+    default_of(key).filter(|_| had_table && !has_table(lines))
+}
+
+/// What an absent key stands for, where that is one value.
+fn default_of(key: &KeySpec) -> Option<SceneValue> {
+    Some(match key.default {
+        Default::Number(number) => number.into(),
+        Default::Vector(vector) => vector.into(),
+        Default::Text(text) => text.into(),
+        Default::Flag(flag) => flag.into(),
+        Default::Absent | Default::ByChoice(_) | Default::EmptyTable => return None,
+    })
 }
 
 /// The keys beside a choice that have no meaning for this word of it.
@@ -302,9 +329,7 @@ impl Element {
             }
             (Self::Body(new), ScenePart::Body(index)) => {
                 check_body(scene, index, &new)?;
-                if let Some(body) = scene.bodies.get_mut(index) {
-                    replace(body, new);
-                }
+                put_body(scene, index, new)?;
             }
             (Self::Material(_) | Self::Light(_) | Self::Body(_), _) => {}
         }
@@ -369,6 +394,31 @@ fn check_body(scene: &Scene, index: usize, new: &Body) -> Result<(), Fault> {
         Some(name) => Err((undefined_material(name, Span::default(), names).into(), None)),
         None => Ok(()),
     }
+}
+
+/// Puts a body in the place of an old one, and has instances follow it.
+fn put_body(scene: &mut Scene, index: usize, new: Body) -> Result<(), Fault> {
+    let Some(old) = scene.bodies.get(index) else { return Ok(()) };
+    if !new.has_instances() && !scene.has_instances() {
+        if let Some(body) = scene.bodies.get_mut(index) {
+            replace(body, new);
+        }
+        return Ok(());
+    }
+    let mut edited = scene.clone();
+    if !old.name.is_empty() && old.name != new.name {
+        edited.rename_instances(&old.name, &new.name);
+    }
+    if let Some(body) = edited.bodies.get_mut(index) {
+        replace(body, new);
+    }
+    let faults = edited.resolve_instances();
+    let known = if faults.is_empty() { Vec::new() } else { scene.instance_faults() };
+    if let Some(fault) = faults.iter().find(|fault| !known.contains(fault)) {
+        return Err((instance_fault(fault, Span::default(), scene).into(), None));
+    }
+    *scene = edited;
+    Ok(())
 }
 
 /// Refuses a name that another element has.

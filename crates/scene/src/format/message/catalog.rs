@@ -304,6 +304,24 @@ messages! {
     PartsOfSimple { shape: &'static str }:
         "a {shape} has no parts",
         "у тела формы \"{shape}\" частей не бывает";
+    UndefinedBody { name: String }:
+        "the body {name} is not defined",
+        "тело {name} не определено";
+    InstanceOfBody:
+        "`instance_of` is the name of another body of the scene, which may be hidden",
+        "`instance_of` — имя другого тела сцены, возможно скрытого";
+    InstanceOfItself { name: String }:
+        "with this instance of {name} the body would be made of itself",
+        "с этим экземпляром тела {name} тело состояло бы из самого себя";
+    InstanceOfOther:
+        "a body can be an instance only of what is no instance of it and has none among its parts",
+        "тело может быть экземпляром только того, что не является его экземпляром и не содержит таких частей";
+    TooManyInstances { count: String, most: String }:
+        "with its instances the scene has {count} simple bodies, but can have at most {most}",
+        "вместе с экземплярами в сцене простых тел {count}, а может быть не больше {most}";
+    FewerInstances:
+        "use fewer instances",
+        "используйте меньше экземпляров";
     PartNameTwice { name: String }:
         "two parts have the name {name}",
         "имя {name} носят две части";

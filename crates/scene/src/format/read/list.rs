@@ -187,6 +187,8 @@ impl<'t> Reader<'t> {
                 }
                 let of_parts = built.parts.materials.into_iter();
                 self.places.of_parts.extend(of_parts.map(|(name, span)| (index, name, span)));
+                let instances = built.parts.instances.into_iter();
+                self.places.instances.extend(instances.map(|(name, span)| (index, name, span)));
                 self.places.empty.extend(built.parts.empty);
                 self.places.bodies.push(built.name_span.unwrap_or_default());
                 self.scene.bodies.push(built.body);

@@ -3,11 +3,12 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use crate::compound::each_part_mut;
+use crate::compound::{InstanceFault, InstanceProblem, each_part_mut};
 use crate::format::diagnostic::{Diagnostic, Diagnostics, Severity};
 use crate::format::message::{Collection, Conjunction, Enumeration, Message};
 use crate::format::nearest::nearest;
 use crate::format::quote::{key_to_copy, quoted, quoted_value};
+use crate::format::rules::{self, BrokenRule};
 use crate::format::toml::Span;
 use crate::material::MaterialChoice;
 use crate::{Color, Light, Scene, Surroundings};
@@ -26,6 +27,8 @@ pub(super) struct SourcePositions {
     pub(super) materials: Vec<(u32, Span)>,
     /// Bodies with a part of a named material, its name, and where it is named.
     pub(super) of_parts: Vec<(u32, String, Span)>,
+    /// Bodies that are instances or have a part that is one, of what, and where that is named.
+    pub(super) instances: Vec<(u32, String, Span)>,
     /// Shapes that hold nothing, and where they are said.
     pub(super) empty: Vec<(&'static str, Span)>,
     /// Bodies of an unknown shape or of unknown parts, in order. They stand in the scene until their names are checked.
@@ -71,6 +74,34 @@ pub(super) fn check_materials(
         });
     }
     is_used
+}
+
+/// Gives instances what they are instances of, and reports those that cannot be. Those of lost bodies are not reported.
+pub(super) fn follow_instances(
+    scene: &mut Scene,
+    places: &SourcePositions,
+    has_lost_tables: bool,
+    found: &mut Diagnostics,
+) {
+    let mut faults = scene.resolve_instances();
+    faults.retain(|fault| !(has_lost_tables && fault.problem == InstanceProblem::Unknown));
+    for fault in &faults {
+        let is_here =
+            |(index, of, _): &&(u32, String, Span)| *index as usize == fault.body && *of == fault.of;
+        let span = places.instances.iter().find(is_here).map(|(_, _, span)| *span).unwrap_or_default();
+        found.push_with(|| instance_fault(fault, span, scene));
+    }
+}
+
+/// An instance that cannot be.
+pub(crate) fn instance_fault(fault: &InstanceFault, span: Span, scene: &Scene) -> Diagnostic {
+    let BrokenRule { message, help, .. } = rules::instance(fault);
+    let finding = Diagnostic::error(span.range(), message).with_help(help);
+    let names = || scene.bodies.iter().map(|body| body.name.as_str()).filter(|name| !name.is_empty());
+    match nearest(&fault.of, names()).filter(|_| fault.problem == InstanceProblem::Unknown) {
+        Some(nearest) => finding.with_label(Message::DidYouMean { word: quoted_value(nearest) }),
+        None => finding,
+    }
 }
 
 /// A material that is not defined; `names` are those that are.
