@@ -3,6 +3,7 @@
 mod add;
 mod flags;
 mod fragment;
+mod instance;
 mod join;
 mod list;
 mod material;
@@ -125,6 +126,10 @@ pub enum Action {
     },
     /// Makes bodies of the parts of the selected bodies.
     TakeApart,
+    /// Adds an instance of each selected body, or another one of an instance, and selects these.
+    DuplicateAsInstance,
+    /// Makes the selected instances bodies of their own, which look the same.
+    MakeOwn,
     /// Deletes the named materials that no body uses.
     RemoveUnusedMaterials,
     /// Takes the last step back.
@@ -220,6 +225,8 @@ impl Action {
         "edit-join-difference",
         "edit-join-group",
         "edit-take-apart",
+        "edit-duplicate-as-instance",
+        "edit-make-own",
         "edit-remove-unused-materials",
         "edit-undo",
         "edit-redo",
@@ -278,6 +285,8 @@ impl Action {
             Self::DropToGround => "edit-drop-to-ground",
             Self::ResetPlacement => "edit-reset-placement",
             Self::TakeApart => "edit-take-apart",
+            Self::DuplicateAsInstance => "edit-duplicate-as-instance",
+            Self::MakeOwn => "edit-make-own",
             Self::RemoveUnusedMaterials => "edit-remove-unused-materials",
             Self::Undo => "edit-undo",
             Self::Redo => "edit-redo",
@@ -327,6 +336,8 @@ impl Action {
             Self::ResetPlacement => place::check_reset(scene, selection),
             Self::Join { shape, .. } => join::check_join(scene, selection, *shape).map(drop),
             Self::TakeApart => join::check_take_apart(scene, selection).map(drop),
+            Self::DuplicateAsInstance => instance::check_duplicate(scene, selection).map(drop),
+            Self::MakeOwn => instance::check_make_own(scene, selection).map(drop),
             Self::RemoveUnusedMaterials => material::check_unused(scene.scene()).map(drop),
             Self::SelectAll
             | Self::SelectNone
@@ -370,6 +381,8 @@ impl Action {
             Self::ResetPlacement => place::reset(scene, selection),
             Self::Join { shape, name } => join::join(scene, selection, *shape, name.trim()),
             Self::TakeApart => join::take_apart(scene, selection),
+            Self::DuplicateAsInstance => instance::duplicate(scene, selection),
+            Self::MakeOwn => instance::make_own(scene, selection),
             Self::RemoveUnusedMaterials => material::remove_unused(scene, selection),
             Self::SelectAll
             | Self::SelectNone

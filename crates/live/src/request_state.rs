@@ -5,7 +5,8 @@ use std::sync::Arc;
 use catoptric_gpu::GpuPicture;
 use catoptric_platform::time::{Duration, Instant};
 use catoptric_scene::{
-    Body, BodyPart, Camera, Color, Falloff, Light, MaterialChoice, Placement, Projection, Scene, Shape,
+    Body, BodyPart, Camera, Color, Falloff, Instance, Light, MaterialChoice, Placement, Projection, Scene,
+    Shape,
 };
 use catoptric_tracer::{RayCounts, RenderCamera, RenderScene, SceneEdit};
 use glam::{DVec2, DVec3};
@@ -318,9 +319,10 @@ fn changed_bodies(old: &Request, new: &Request) -> Option<Vec<usize>> {
 }
 
 /// What a picture depends on.
-fn traced_body(body: &Body) -> (&Shape, &Placement, &MaterialChoice, bool, &[BodyPart]) {
-    let Body { name: _, locked: _, shape, placement, material, hidden, parts, parametric: _ } = body;
-    (shape, placement, material, *hidden, parts)
+fn traced_body(body: &Body) -> (&Shape, &Placement, &MaterialChoice, bool, &[BodyPart], Option<&Instance>) {
+    let Body { name: _, locked: _, shape, placement, material, hidden, parts, parametric: _, instance } =
+        body;
+    (shape, placement, material, *hidden, parts, instance.as_ref())
 }
 
 /// What a picture depends on.

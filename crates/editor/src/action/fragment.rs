@@ -4,7 +4,7 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 use std::path::Path;
 
 use catoptric_scene::{
-    HasImages as _, ImageSource, List, MaterialChoice, Scene, ScenePart, Shape, read, write_fragment,
+    HasImages as _, ImageSource, MaterialChoice, Scene, ScenePart, Shape, read, write_fragment,
 };
 use glam::DVec3;
 
@@ -28,7 +28,9 @@ pub(crate) fn copy(edited: &EditedScene, selection: &Selection, folder: Option<&
     let chosen: BTreeSet<ScenePart> = edited.parts_of(selection).collect();
     let body = |part: &ScenePart| if let ScenePart::Body(at) = *part { scene.bodies.get(at) } else { None };
     let light = |part: &ScenePart| if let ScenePart::Light(at) = *part { scene.lights.get(at) } else { None };
-    let bodies: List<_> = chosen.iter().filter_map(body).cloned().collect();
+    let mut copied = Scene { bodies: chosen.iter().filter_map(body).cloned().collect(), ..Scene::default() };
+    copied.free_lost_instances();
+    let Scene { bodies, .. } = copied;
     let lights: Vec<_> = chosen.iter().filter_map(light).cloned().collect();
     let used = used_materials(&bodies);
     let materials = scene.materials.iter().enumerate();
@@ -116,10 +118,13 @@ fn is_copy_name(other: &str, name: &str, scene: &Scene) -> bool {
 pub(crate) fn add(edited: &EditedScene, mut parts: Scene) -> ActionOutcome {
     let scene = edited.scene();
     let mut names = UsedNames::of(scene.bodies.iter().map(|body| body.name.as_str()));
+    let mut renamed = HashMap::new();
     for body in &mut parts.bodies {
-        body.name = names.take(&body.name);
+        let name = names.take(&body.name);
+        renamed.insert(std::mem::replace(&mut body.name, name.clone()), name);
         body.locked = false;
     }
+    parts.rename_instances(&renamed);
     let mut names = UsedNames::of(scene.lights.iter().map(|light| light.name.as_str()));
     for light in &mut parts.lights {
         light.name = names.take(&light.name);

@@ -32,9 +32,19 @@ fn other_names(scene: &Scene, indices: &[usize]) -> UsedNames {
     UsedNames::of(others.map(|(_, body)| body.name.as_str()))
 }
 
+/// The scene in which nothing is an instance of these bodies, which others will stand for.
+fn without_instances(edited: &EditedScene, indices: &[usize]) -> EditedScene {
+    let bodies = indices.iter().filter_map(|index| edited.scene().bodies.get(*index));
+    let names: HashSet<&str> = bodies.map(|body| body.name.as_str()).collect();
+    let mut freed = edited.clone();
+    freed.edit(|scene| scene.free_instances(|of| names.contains(of)));
+    freed
+}
+
 /// The first of the bodies becomes the whole: it keeps its place in the list.
 pub(super) fn join(edited: &EditedScene, selection: &Selection, shape: ShapeKind, name: &str) -> Result {
     let indices = check_join(edited, selection, shape)?;
+    let edited = &without_instances(edited, &indices);
     let scene = edited.scene();
     let bodies: Vec<&Body> = indices.iter().filter_map(|index| scene.bodies.get(*index)).collect();
     let (Some(first), Some(&place)) = (bodies.first(), indices.first()) else {
@@ -49,6 +59,7 @@ pub(super) fn join(edited: &EditedScene, selection: &Selection, shape: ShapeKind
         material: (body.material != first.material).then(|| body.material.clone()),
         parts: body.parts.clone(),
         parametric: body.parametric.clone(),
+        instance: body.instance.clone(),
     });
     let mut names = other_names(scene, &indices);
     let whole = Body {
@@ -59,7 +70,7 @@ pub(super) fn join(edited: &EditedScene, selection: &Selection, shape: ShapeKind
         hidden: bodies.iter().all(|body| body.hidden),
         locked: false,
         parts: parts.collect(),
-        parametric: None,
+        ..Body::default()
     };
     let subject = whole.name.clone();
     let mut joined = edited.clone();
@@ -80,6 +91,7 @@ pub(super) fn check_take_apart(scene: &EditedScene, selection: &Selection) -> Re
 /// The parts stand as bodies in the place of the whole, the first of them being what the whole was.
 pub(super) fn take_apart(edited: &EditedScene, selection: &Selection) -> Result {
     let indices = check_take_apart(edited, selection)?;
+    let edited = &without_instances(edited, &indices);
     let scene = edited.scene();
     let wholes: Vec<ScenePart> = indices.iter().copied().map(ScenePart::Body).collect();
     let mut names = other_names(scene, &indices);
@@ -89,8 +101,9 @@ pub(super) fn take_apart(edited: &EditedScene, selection: &Selection) -> Result 
     let mut parts: Vec<ScenePart> = Vec::new();
     for &index in &indices {
         let Some(whole) = scene.bodies.get(index) else { continue };
-        let mut bodies = Vec::with_capacity(whole.parts.len());
-        for part in &whole.parts {
+        let parts_of_whole = whole.form().parts;
+        let mut bodies = Vec::with_capacity(parts_of_whole.len());
+        for part in parts_of_whole {
             let name = names.take(if part.name.is_empty() { &whole.name } else { &part.name });
             bodies.push(body_of_part(whole, part, name)?);
         }
@@ -139,5 +152,6 @@ fn body_of_part(whole: &Body, part: &BodyPart, name: String) -> Result<Body> {
         locked: false,
         parts: part.parts.clone(),
         parametric: part.parametric.clone(),
+        instance: part.instance.clone(),
     })
 }

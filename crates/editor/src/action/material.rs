@@ -1,5 +1,7 @@
 //! Named materials and bodies' own.
 
+use std::collections::HashMap;
+
 use catoptric_scene::{Body, MaterialChoice, NamedMaterial, Scene, ScenePart};
 
 use super::ActionError;
@@ -129,7 +131,10 @@ pub(super) fn rename(scene: &EditedScene, selection: &Selection, item: Item, nam
         }
         ScenePart::Body(index) => {
             if let Some(body) = scene.bodies.get_mut(index) {
-                body.name.clone_from(&name);
+                let old = std::mem::replace(&mut body.name, name.clone());
+                if !old.is_empty() {
+                    scene.rename_instances(&HashMap::from([(old, name.clone())]));
+                }
             }
         }
         ScenePart::Camera | ScenePart::Environment | ScenePart::Tracing => {}

@@ -23,6 +23,7 @@ impl Editor {
         self.settle_unless(&label);
         let mut scene = Scene::clone(self.scene());
         edit(&mut scene);
+        scene.follow_instances();
         if scene == **self.scene() {
             return Ok(false);
         }
@@ -61,14 +62,14 @@ impl Editor {
         &mut self,
         indices: impl IntoIterator<Item = usize>,
         label: Label,
-        edit: impl FnMut(usize, &mut Body),
+        mut edit: impl FnMut(usize, &mut Body),
     ) -> Result<bool, RefusedChange> {
         self.change_elements(
             indices,
             label,
             |scene, index| scene.bodies.get_mut(index),
             ScenePart::Body,
-            edit,
+            |index, body| body.edit(|body| edit(index, body)),
         )
     }
 
@@ -196,6 +197,8 @@ impl Editor {
         edited: EditedScene,
         mut selection: Selection,
     ) -> Result<bool, RefusedChange> {
+        let mut edited = edited;
+        edited.edit(Scene::follow_instances);
         selection.retain(|item| edited.contains(item));
         let Some(difference) = Difference::between(&self.edited, &edited) else {
             let is_new = self.selection != selection;
@@ -270,6 +273,7 @@ impl Editor {
                     std::mem::swap(element, value);
                 }
             }
+            scene.follow_instances();
         };
         let check = |scene: &Scene, old: &[(usize, T)]| -> Vec<Problem> {
             // Each part's name is compared with all others.
@@ -279,6 +283,7 @@ impl Editor {
             old.iter().flat_map(|(index, _)| scene.check_part(part(*index))).collect()
         };
         let has_changed = !old.is_empty();
+        scene.follow_instances();
         let problems = check(scene, &old);
         let mut checked = Ok(());
         if !problems.is_empty() {

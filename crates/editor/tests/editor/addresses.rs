@@ -35,7 +35,9 @@ position = [1.0, 0.0, 0.0]
 ";
 
 /// What can be wrong with values that are valid by themselves.
-const RULES: [&str; 12] = [
+const RULES: [&str; 14] = [
+    "the body `",
+    "with this instance of",
     "`target` and",
     "`up` is",
     "`base` and `top` are",
@@ -58,6 +60,7 @@ fn values(scene: &Scene, key: &KeySpec) -> Vec<SceneValue> {
         [[min, middle, max], [middle, min, middle], [middle, 0.5 * middle, middle]].map(SceneValue::from)
     };
     match key.kind {
+        Kind::Text if key.name == "instance_of" => ["ball".into(), "another".into()].into(),
         Kind::Text => ["another".into(), "имя \"в кавычках\". = # '".into()].into(),
         Kind::File => ["builtin:grid".into(), "a folder/b.png".into()].into(),
         Kind::Flag => [true.into(), false.into()].into(),

@@ -10,6 +10,7 @@ mod document;
 mod history;
 mod identity;
 mod images;
+mod instances;
 mod join;
 mod materials;
 mod monkey;

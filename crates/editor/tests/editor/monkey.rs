@@ -86,7 +86,7 @@ impl Chance {
 
     fn action(&mut self, editor: &Editor) -> Action {
         let scene = editor.scene();
-        match self.below(40) {
+        match self.below(44) {
             0 | 1 => {
                 let placement =
                     NewBodyPlacement { size: self.number(), ..NewBodyPlacement::at(self.vector()) };
@@ -125,7 +125,9 @@ impl Chance {
             31 => Action::RemoveUnusedMaterials,
             32 | 33 => Action::Join { shape: ShapeKind::ALL[self.below(17)], name: self.name() },
             34 => Action::TakeApart,
-            35..=38 => Action::Undo,
+            35 | 36 => Action::DuplicateAsInstance,
+            37 => Action::MakeOwn,
+            38..=41 => Action::Undo,
             _ => Action::Redo,
         }
     }

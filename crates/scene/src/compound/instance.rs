@@ -5,12 +5,12 @@
 
 mod follow;
 
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use super::{BodyPart, ParametricShape, each_part, each_part_mut};
 use crate::Scene;
 use crate::body::Body;
-use crate::material::MaterialChoice;
 
 pub(crate) use follow::{InstanceFault, InstanceProblem};
 
@@ -66,10 +66,13 @@ impl Body {
         }
     }
 
-    /// Gives the body a material, an instance one of its own.
-    pub fn set_material(&mut self, material: MaterialChoice) {
-        self.material = material;
-        if let Some(instance) = &mut self.instance {
+    /// Edits the body. Another material that this gives to an instance is its own.
+    pub fn edit(&mut self, edit: impl FnOnce(&mut Self)) {
+        let material = self.instance.is_some().then(|| self.material.clone());
+        edit(self);
+        if let Some(instance) = &mut self.instance
+            && material.is_some_and(|material| material != self.material)
+        {
             instance.has_own_material = true;
         }
     }
@@ -97,37 +100,53 @@ impl BodyPart {
 }
 
 impl Scene {
-    /// Has the instances of a body follow its new name.
-    pub fn rename_instances(&mut self, from: &str, to: &str) {
+    /// Has instances follow bodies to their new names; `renamed` gives those by the old ones.
+    pub fn rename_instances(&mut self, renamed: &HashMap<String, String>) {
         let rename = |instance: &mut Option<Instance>| {
-            if let Some(instance) = instance.as_mut().filter(|instance| instance.of == from) {
-                to.clone_into(&mut instance.of);
+            if let Some(instance) = instance
+                && let Some(name) = renamed.get(&instance.of)
+            {
+                instance.of.clone_from(name);
             }
         };
-        self.edit_instances_of(from, |body| {
-            rename(&mut body.instance);
-            each_part_mut(&mut body.parts, &mut |part| rename(&mut part.instance));
-        });
+        self.edit_instances(
+            |of| renamed.contains_key(of),
+            |body| {
+                rename(&mut body.instance);
+                each_part_mut(&mut body.parts, &mut |part| rename(&mut part.instance));
+            },
+        );
     }
 
-    /// Makes the instances of a body, which is to be taken away, bodies of their own that look the same.
-    pub fn free_instances(&mut self, of: &str) {
-        self.edit_instances_of(of, |body| {
-            if body.instance.as_ref().is_some_and(|instance| instance.of == of) {
+    /// Makes the instances of bodies that are not there any more bodies of their own, which look the same.
+    pub fn free_lost_instances(&mut self) {
+        if !self.has_instances() {
+            return;
+        }
+        let names: HashSet<String> = self.bodies.iter().map(|body| body.name.clone()).collect();
+        self.free_instances(|of| !names.contains(of));
+    }
+
+    /// Makes the instances of some bodies bodies of their own, which look the same.
+    pub fn free_instances(&mut self, is_of: impl Fn(&str) -> bool) {
+        let is_freed =
+            |instance: &Option<Instance>| instance.as_ref().is_some_and(|instance| is_of(&instance.of));
+        self.edit_instances(&is_of, |body| {
+            if is_freed(&body.instance) {
                 body.make_own();
             }
             each_part_mut(&mut body.parts, &mut |part| {
-                if part.instance.as_ref().is_some_and(|instance| instance.of == of) {
+                if is_freed(&part.instance) {
                     part.make_own();
                 }
             });
         });
     }
 
-    /// Edits the bodies that are instances of a body or have parts that are; no others are copied.
-    fn edit_instances_of(&mut self, of: &str, edit: impl Fn(&mut Body)) {
+    /// Edits the bodies that are instances of some others or have parts that are; the rest is not copied.
+    fn edit_instances(&mut self, is_of: impl Fn(&str) -> bool, edit: impl Fn(&mut Body)) {
         for index in 0..self.bodies.len() {
-            let is_one = |body: &Body| body.instances().any(|instance| instance.of == of);
+            let is_one = |body: &Body| body.instances().any(|instance| is_of(&instance.of));
             if self.bodies.get(index).is_some_and(is_one)
                 && let Some(body) = self.bodies.get_mut(index)
             {

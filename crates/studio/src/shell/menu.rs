@@ -229,6 +229,7 @@ fn edit() -> Vec<MenuItem> {
     entries.push(MenuItem::Line);
     entries.push(MenuItem::Sub("menu-join", icons::ICON_JOIN_FULL, join_ui));
     entries.extend(commands_of([edit(Action::TakeApart)]));
+    entries.extend(commands_of([edit(Action::DuplicateAsInstance), edit(Action::MakeOwn)]));
     entries
 }
 

@@ -324,7 +324,7 @@ impl Monkey {
         let items = parts.map(|part| edited.item(part).unwrap_or(Item::Camera));
         let item = *self.dice.one(&items);
         let name = (*self.dice.one(&["", "a", "шар", "a\"b\n", "sphere 2"])).to_owned();
-        match self.dice.below(22) {
+        match self.dice.below(25) {
             0 => {
                 let placement =
                     NewBodyPlacement { size: self.dice.number(), ..NewBodyPlacement::at(self.dice.vector()) };
@@ -353,6 +353,8 @@ impl Monkey {
             20 => Action::UnlockAll,
             21 => Action::Join { shape: *self.dice.one(&ShapeKind::ALL), name },
             22 => Action::TakeApart,
+            23 => Action::DuplicateAsInstance,
+            24 => Action::MakeOwn,
             _ => Action::Undo,
         }
     }

@@ -1,5 +1,6 @@
 //! Changes of values by their addresses: the element as a file would have it, with the new values, read again.
 
+use std::collections::HashMap;
 use std::str::FromStr;
 
 use super::error::{AddressError, refused};
@@ -407,7 +408,7 @@ fn put_body(scene: &mut Scene, index: usize, new: Body) -> Result<(), Fault> {
     }
     let mut edited = scene.clone();
     if !old.name.is_empty() && old.name != new.name {
-        edited.rename_instances(&old.name, &new.name);
+        edited.rename_instances(&HashMap::from([(old.name.clone(), new.name.clone())]));
     }
     if let Some(body) = edited.bodies.get_mut(index) {
         replace(body, new);

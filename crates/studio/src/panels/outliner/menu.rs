@@ -51,6 +51,7 @@ fn groups(thing: Item) -> Vec<Vec<Command>> {
     if matches!(thing, Item::Body(_)) {
         groups.push(vec![edit(Action::DropToGround), edit(Action::ResetPlacement)]);
         groups.push(JOINS.into_iter().chain([Action::TakeApart]).map(edit).collect());
+        groups.push(vec![edit(Action::DuplicateAsInstance), edit(Action::MakeOwn)]);
         groups.push(vec![edit(Action::ShareMaterial), edit(Action::MakeMaterialUnique)]);
     }
     groups

@@ -217,11 +217,12 @@ impl BodyEdit {
 
 /// Whether two bodies are the same to the tracer.
 fn is_alike(one: &Body, other: &Body) -> bool {
-    let Body { name: _, locked: _, shape, placement, material, hidden, parts, parametric: _ } = one;
+    let Body { name: _, locked: _, shape, placement, material, hidden, parts, parametric: _, instance } = one;
     let is_same = other.shape == *shape
         && other.placement == *placement
         && other.material == *material
-        && other.parts == *parts;
+        && other.parts == *parts
+        && other.instance == *instance;
     (*hidden && other.hidden) || (is_same && other.hidden == *hidden)
 }
 
