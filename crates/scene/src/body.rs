@@ -33,6 +33,17 @@ pub struct Body {
     pub instance: Option<Instance>,
 }
 
+/// The most parts whose outlines are drawn.
+const MOST_OUTLINES: usize = 1024;
+
+/// The edges of a box by the corners of [`box_corners`].
+fn box_edges(corners: [DVec3; 8]) -> Vec<Vec<DVec3>> {
+    let edge = |corner: usize, axis: usize| {
+        (corner >> axis & 1 == 0).then(|| vec![corners[corner], corners[corner | 1 << axis]])
+    };
+    (0..3).flat_map(|axis| (0..8).filter_map(move |corner| edge(corner, axis))).collect()
+}
+
 impl Body {
     /// A body of this shape at the origin; one that consists of parts has none yet.
     pub fn of_shape(shape: BodyShape) -> Self {
@@ -83,8 +94,12 @@ impl Body {
     }
 
     /// The lines in the world that an eye sees the body by: its edges, and where the eye looks past its surface; of a
-    /// compound body, those of its parts. None for a plane.
+    /// compound body, those of its parts, or those of the box around it where these are too many to be told apart. None
+    /// for a plane.
     pub fn outline(&self, eye: DVec3) -> Vec<Vec<DVec3>> {
+        if self.form().simple_parts(MOST_OUTLINES) > MOST_OUTLINES {
+            return self.box_corners().map(box_edges).unwrap_or_default();
+        }
         let mut outline = Vec::new();
         self.form().each_simple(DAffine3::IDENTITY, &mut |part| {
             let lines = part.shape.outline(part.frame.inverse().transform_point3(eye));
@@ -141,6 +156,19 @@ mod tests {
             assert!((point - point.clamp(min, max)).length() < 1e-9, "{point}");
         }
         assert_eq!(Body { shape: Shape::Plane, ..body }.box_corners(), None);
+    }
+
+    #[test]
+    fn what_has_very_many_parts_is_seen_by_its_box() {
+        let part =
+            |x: usize| BodyPart { placement: Placement::at(DVec3::X * x as f64), ..BodyPart::default() };
+        let body =
+            |count| Body { shape: Shape::Group, parts: (0..count).map(part).collect(), ..Body::default() };
+        assert_eq!(body(2).outline(DVec3::Z * 9.0).len(), 2);
+        let edges = body(2000).outline(DVec3::Z * 9.0);
+        assert_eq!(edges.len(), 12);
+        let lengths: f64 = edges.iter().map(|edge| edge[0].distance(edge[1])).sum();
+        assert!((lengths - 4.0 * (2001.0 + 2.0 + 2.0)).abs() < 1e-9, "{lengths}");
     }
 
     #[test]

@@ -166,6 +166,21 @@ impl<'a> Form<'a> {
         Some([min?, max?])
     }
 
+    /// How many simple parts it has, or more than `most` if there are.
+    pub(crate) fn simple_parts(&self, most: usize) -> usize {
+        if !self.shape.is_compound() {
+            return 1;
+        }
+        let mut count = 0;
+        for part in self.parts {
+            count += part.form().simple_parts(most.saturating_sub(count));
+            if count > most {
+                break;
+            }
+        }
+        count
+    }
+
     /// Shows `take` each simple part, itself if it is simple; `around` is the transform of the frame around.
     pub fn each_simple(&self, around: DAffine3, take: &mut impl FnMut(SimplePart<'a>)) {
         self.each_simple_of(None, around, take);

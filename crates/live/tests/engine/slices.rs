@@ -43,8 +43,10 @@ fn slices_come_to_the_picture_of_a_thread() {
 #[test]
 fn pictures_come_while_requests_come_in_every_slice() {
     let live = live();
-    let (mut serial, mut pictures) = (0, 0);
-    for step in 0..200_u32 {
+    let (mut serial, mut pictures, mut step) = (0, 0, 0_u32);
+    // A busy machine gets little done in a slice.
+    while pictures <= 10 {
+        assert!(step < 20_000, "{pictures} pictures");
         let mut asked = request(u64::from(step));
         asked.moving = true;
         asked.camera = from_side(&four_bodies().camera, f64::from(step));
@@ -53,8 +55,8 @@ fn pictures_come_while_requests_come_in_every_slice() {
         if let Some(frame) = live.latest().filter(|frame| frame.picture_serial != serial) {
             (serial, pictures) = (frame.picture_serial, pictures + 1);
         }
+        step += 1;
     }
-    assert!(pictures > 10, "{pictures}");
     settle(&live);
-    assert_eq!(live.latest().unwrap().revision, 199);
+    assert_eq!(live.latest().unwrap().revision, u64::from(step) - 1);
 }
