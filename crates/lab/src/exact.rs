@@ -11,12 +11,15 @@ mod parabolas;
 mod probe;
 mod report;
 mod spheres;
+mod thick_lenses;
 
 use catoptric_scene::{Body, Camera, Projection, Scene, Shape};
 use glam::DVec3;
 
 use geometry::Viewpoint;
-pub use geometry::{alhazen, ball_crossing, ball_focal_length, mirrored, ring_of_images, sphere_image};
+pub use geometry::{
+    alhazen, ball_crossing, ball_focal_length, lens_crossing, mirrored, ring_of_images, sphere_image,
+};
 pub use inapplicable::Inapplicable;
 pub use report::{to_json, to_text};
 
@@ -80,6 +83,19 @@ pub enum ExactAnswer {
         /// Where a ray [`MARGINAL`] radii from the line crosses it; `None` if it does so within the ball.
         marginal: Option<ExactDeviation>,
     },
+    /// Where a lens gathers yellow light that comes along its axis from the side of the eye, or where that seems to come
+    /// from.
+    LensFocus {
+        /// The lens.
+        body: usize,
+        /// Its focal length by the lensmaker's equation for thick lenses, meters; below 0 if it spreads light.
+        focal_length: f64,
+        /// The focal point, for rays near the axis.
+        paraxial: ExactDeviation,
+        /// Where a ray [`MARGINAL`] of the rim's radius from the axis crosses it, by Snell's law at both faces; `None` if
+        /// it does not come through both.
+        marginal: Option<ExactDeviation>,
+    },
     /// The focus of a mirror that is a paraboloid of revolution: all light along the axis is mirrored to it or, by the
     /// outside, as if it came from it. No ray misses it, near the axis or far.
     ParabolicFocus {
@@ -114,7 +130,7 @@ impl ExactAnswer {
         match self {
             Self::PlaneImage { image, .. } | Self::SphereImage { image, .. } => image.found.is_some(),
             Self::ReflectionPoint { point, .. } => point.found.is_some(),
-            Self::Focus { paraxial, marginal, .. } => {
+            Self::Focus { paraxial, marginal, .. } | Self::LensFocus { paraxial, marginal, .. } => {
                 paraxial.found.or(marginal.as_ref().and_then(|marginal| marginal.found)).is_some()
             }
             Self::ParabolicFocus { near, marginal, .. } => near.found.or(marginal.found).is_some(),
@@ -124,7 +140,8 @@ impl ExactAnswer {
     }
 }
 
-/// How far from the axis the marginal rays of [`ExactAnswer::Focus`] and [`ExactAnswer::ParabolicFocus`] run, in radii.
+/// How far from the axis the marginal rays of [`ExactAnswer::Focus`], [`ExactAnswer::LensFocus`] and
+/// [`ExactAnswer::ParabolicFocus`] run, in radii.
 pub const MARGINAL: f64 = 0.7;
 
 /// A point by the laws of optics, and by the tracer.
@@ -191,6 +208,7 @@ pub fn answers_for(scene: &Scene, body: Option<usize>) -> ExactAnswers {
     mirrors::answer(&setting, &mut found.answers);
     spheres::answer(&setting, &mut found);
     lenses::answer(&setting, &mut found);
+    thick_lenses::answer(&setting, &mut found);
     parabolas::answer(&setting, &mut found.answers);
     let lights = scene.lights.iter().enumerate().map(|(place, light)| match light.name.as_str() {
         "" => format!("light {}", place + 1),
@@ -224,6 +242,8 @@ struct ExactSetup<'a> {
     objects: Vec<PlacedBody<'a>>,
     /// Transparent balls.
     lenses: Vec<PlacedBody<'a>>,
+    /// Transparent lenses of two faces.
+    thick_lenses: Vec<PlacedBody<'a>>,
     /// Parabolic mirrors.
     dishes: Vec<PlacedBody<'a>>,
     /// Bodies with a highlight.
@@ -247,6 +267,7 @@ impl<'a> ExactSetup<'a> {
             rough_and_curved: Vec::new(),
             objects: Vec::new(),
             lenses: Vec::new(),
+            thick_lenses: Vec::new(),
             dishes: Vec::new(),
             glossy: Vec::new(),
             is_cut: false,
@@ -269,7 +290,9 @@ impl<'a> ExactSetup<'a> {
                 keep(&mut setting.objects, place, &mut setting.is_cut);
             }
             let is_lens = is_clear && material.ior().is_some_and(|ior| ior > 1.0);
-            if is_meant && is_lens && body.shape.is_compound() {
+            if is_meant && is_lens && thick_lenses::lens_of(body).is_some() {
+                keep(&mut setting.thick_lenses, place, &mut setting.is_cut);
+            } else if is_meant && is_lens && body.shape.is_compound() {
                 others.push(Inapplicable::OfParts { body: index });
             }
             if is_meant && is_lens && matches!(body.shape, Shape::Sphere { .. }) {

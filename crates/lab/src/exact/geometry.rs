@@ -1,6 +1,6 @@
 //! The laws: mirror images, the mirror equation, Alhazen's problem, and the ball lens.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 /// The mirror image of a point in the plane through `on_plane` with the unit normal `normal`.
 pub fn mirrored(point: DVec3, on_plane: DVec3, normal: DVec3) -> DVec3 {
@@ -171,4 +171,48 @@ pub fn ball_focal_length(radius: f64, ior: f64) -> f64 {
 pub fn ball_crossing(radius: f64, ior: f64, height: f64) -> f64 {
     let (outside, inside) = ((height / radius).asin(), (height / (ior * radius)).asin());
     height / (2.0 * (outside - inside)).sin()
+}
+
+/// How far behind its last vertex a ray crosses the axis of a lens in air that came parallel to it at the height h; below
+/// 0 for light that is spread. The radii of curvature of both faces are in the order of the light: 0 is flat, above 0 are
+/// those whose center lies behind the face. `None` where the ray misses a face or is reflected wholly.
+///
+/// Snell's law at both faces, in the plane of the ray and the axis.
+pub fn lens_crossing(faces: [f64; 2], thickness: f64, ior: f64, height: f64) -> Option<f64> {
+    let mut ray = MeridionalRay { at: DVec2::new(-thickness.max(height), height), towards: DVec2::X };
+    ray.refract(0.0, faces[0], ior.recip())?;
+    ray.refract(thickness, faces[1], ior)?;
+    let MeridionalRay { at, towards } = ray;
+    Some(at.x - at.y * towards.x / towards.y - thickness)
+}
+
+/// A ray in a plane with the axis of a lens, which is X there.
+struct MeridionalRay {
+    at: DVec2,
+    /// A unit vector.
+    towards: DVec2,
+}
+
+impl MeridionalRay {
+    /// Follows the ray through a face with this vertex on the axis; `ratio` is the index before it over that behind.
+    fn refract(&mut self, vertex: f64, radius: f64, ratio: f64) -> Option<()> {
+        let Self { at, towards } = *self;
+        let (way, normal) = if radius == 0.0 {
+            ((vertex - at.x) / towards.x, DVec2::NEG_X)
+        } else {
+            let center = DVec2::new(vertex + radius, 0.0);
+            let from_center = at - center;
+            let half = from_center.dot(towards);
+            let discriminant = half * half - from_center.length_squared() + radius * radius;
+            let way = -half - discriminant.sqrt().copysign(radius);
+            (way, (from_center + way * towards) / radius)
+        };
+        let cosine = -normal.dot(towards);
+        let beyond = 1.0 - ratio * ratio * (1.0 - cosine * cosine);
+        // Not a number where the ray misses the face.
+        (beyond >= 0.0).then(|| {
+            self.at = at + way * towards;
+            self.towards = (ratio * towards + (ratio * cosine - beyond.sqrt()) * normal).normalize();
+        })
+    }
 }

@@ -3,7 +3,7 @@
 use catoptric_scene::{Body, Material, Scene, Shape};
 use glam::DVec3;
 
-use super::{PlacedBody, radius};
+use super::{PlacedBody, parabolas, radius};
 
 /// The reason why a formula does not apply. Numbers are places of bodies in the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -108,7 +108,8 @@ impl Inapplicable {
         if material.is_rough() {
             return Some(Self::RoughMirror { mirror: index });
         }
-        if body.shape.is_compound() {
+        let is_dish = parabolas::is_mirror(body, material);
+        if body.shape.is_compound() && !is_dish {
             return Some(Self::OfParts { body: index });
         }
         let is_solvable = match body.shape {
@@ -137,6 +138,21 @@ impl Inapplicable {
         match shared {
             Some((other, _)) => Some(Self::SharedLens { body, other }),
             None => (ior < LEAST_IOR).then_some(Self::WeakLens { body }),
+        }
+    }
+
+    /// Why a lens of two faces has no focal point that the formula of a lens in air knows.
+    pub(super) fn of_thick_lens(scene: &Scene, lens: &PlacedBody<'_>) -> Option<Self> {
+        let body = lens.index;
+        let material = scene.material(&lens.body.material)?;
+        if material.is_rough() {
+            return Some(Self::RoughLens { body });
+        }
+        let mut others =
+            scene.bodies.iter().enumerate().filter(|(index, other)| *index != body && !other.hidden);
+        match others.find(|(_, other)| distance_from(other, lens.center) <= 0.0) {
+            Some((other, _)) => Some(Self::SharedLens { body, other }),
+            None => material.ior().filter(|ior| *ior < LEAST_IOR).map(|_| Self::WeakLens { body }),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Paraboloids as mirrors.
 
-use catoptric_scene::{Body, Material, Shape};
+use catoptric_scene::{Body, BodyShape, DishProfile, Material, MirrorDish, ParametricShape, Shape};
 use glam::DVec3;
 
 use super::probe::{Line, Probe};
@@ -20,12 +20,21 @@ struct Dish {
     radius: f64,
     /// From the vertex to the rim's plane, meters.
     depth: f64,
+    /// Whether it is a dish that mirrors by its hollow side, not a solid that does by its outside or from within.
+    is_hollow: bool,
 }
 
 impl Dish {
     fn of(body: &Body) -> Option<Self> {
-        let (Shape::Paraboloid { radius, .. }, Some(height)) = (body.sized_shape(), body.height()) else {
-            return None;
+        let (radius, height, is_hollow) = match (body.body_shape(), body.sized_shape(), body.height()) {
+            (_, Shape::Paraboloid { radius, .. }, Some(height)) => (radius, height, false),
+            (BodyShape::Parametric(ParametricShape::MirrorDish(dish)), ..)
+                if dish.profile == DishProfile::Parabolic =>
+            {
+                let MirrorDish { radius, .. } = dish;
+                (radius, dish.rim(), true)
+            }
+            _ => return None,
         };
         let scale = body.placement.scale.abs();
         let is_even = (scale.x - scale.z).abs() <= 1e-12 * scale.x;
@@ -36,6 +45,7 @@ impl Dish {
             across: rotation.x_axis,
             radius: radius * scale.x,
             depth: height * scale.y,
+            is_hollow,
         })
     }
 }
@@ -44,9 +54,9 @@ impl Dish {
 /// within, where the cap lets it in unbent.
 pub(super) fn is_mirror(body: &Body, material: &Material) -> bool {
     let is_clear = material.lets_through().most > 0.0;
-    let is_open = !is_clear || material.ior() == Some(1.0);
     let is_strong = material.reflects().straight >= LEAST_MIRROR;
-    is_open && is_strong && !material.is_rough() && Dish::of(body).is_some()
+    let is_open = |dish: Dish| !is_clear || (!dish.is_hollow && material.ior() == Some(1.0));
+    is_strong && !material.is_rough() && Dish::of(body).is_some_and(is_open)
 }
 
 pub(super) fn answer(setting: &ExactSetup<'_>, found: &mut Vec<ExactAnswer>) {
@@ -54,16 +64,18 @@ pub(super) fn answer(setting: &ExactSetup<'_>, found: &mut Vec<ExactAnswer>) {
 }
 
 fn focus(setting: &ExactSetup<'_>, mirror: &PlacedBody<'_>) -> Option<ExactAnswer> {
-    let Dish { vertex, axis, across, radius, depth } = Dish::of(mirror.body)?;
+    let Dish { vertex, axis, across, radius, depth, is_hollow } = Dish::of(mirror.body)?;
     let material = setting.scene.material(&mirror.body.material)?;
-    let is_virtual = material.lets_through().most <= 0.0;
+    let is_virtual = !is_hollow && material.lets_through().most <= 0.0;
     let focal_length = radius * radius / (4.0 * depth);
     let probe = Probe::of(setting.scene, [mirror.body], None, mirror.center)?;
     let middle = Line { point: vertex, direction: axis };
     let exact = vertex + focal_length * axis;
     let ray = |height: f64| {
         let beside = vertex + height * radius * across;
-        let mirrored = if is_virtual {
+        let mirrored = if is_hollow {
+            probe.reflected(beside + 2.0 * depth * axis, -axis, 1)
+        } else if is_virtual {
             probe.reflected(beside - depth * axis, axis, 1)
         } else {
             probe.reflected_within(beside + 2.0 * depth * axis, -axis)

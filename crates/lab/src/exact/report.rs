@@ -42,7 +42,9 @@ fn bodies_of(answer: &ExactAnswer) -> Vec<usize> {
         | ExactAnswer::SphereImage { mirror, body, .. }
         | ExactAnswer::ReflectionPoint { mirror, body, .. } => vec![mirror, body],
         ExactAnswer::Ring { mirrors: [first, second], body, .. } => vec![first, second, body],
-        ExactAnswer::Focus { body, .. } | ExactAnswer::Highlight { body, .. } => vec![body],
+        ExactAnswer::Focus { body, .. }
+        | ExactAnswer::LensFocus { body, .. }
+        | ExactAnswer::Highlight { body, .. } => vec![body],
         ExactAnswer::ParabolicFocus { mirror, .. } => vec![mirror],
     }
 }
@@ -57,7 +59,9 @@ pub fn to_text(answers: &ExactAnswers) -> String {
         let _ = writeln!(text, "{}", inapplicable(answers, *reason));
     }
     if answers.answers.is_empty() && answers.inapplicable.is_empty() {
-        text.push_str("There are no mirrors, glass balls or highlights here that have an exact answer.\n");
+        text.push_str(
+            "There are no mirrors, lenses, glass balls or highlights here that have an exact answer.\n",
+        );
     }
     if answers.is_cut {
         text.push_str("There are more bodies than were looked at.\n");
@@ -79,12 +83,12 @@ fn inapplicable(names: &ExactAnswers, reason: Inapplicable) -> String {
         Inapplicable::ObjectInFocus { .. } => {
             format!("{other} stands in the focus of the mirror {body}: its image is infinitely far away.")
         }
-        Inapplicable::RoughLens { .. } => format!("The ball {body} is rough: it has no focal point."),
+        Inapplicable::RoughLens { .. } => format!("{body} is rough: it has no focal point."),
         Inapplicable::UnevenLens { .. } => {
             format!("{body} is not scaled evenly: the formula of a ball does not apply.")
         }
         Inapplicable::SharedLens { .. } => {
-            format!("{body} and {other} overlap: the formula of a ball in air does not apply.")
+            format!("{body} and {other} overlap: the formula of a lens in air does not apply.")
         }
         Inapplicable::WeakLens { .. } => {
             format!("The index of {body} is near 1: it hardly bends light, and its focal point is far away.")
@@ -122,6 +126,13 @@ fn write_answer(text: &mut String, names: &ExactAnswers, answer: &ExactAnswer) {
         }
         ExactAnswer::Focus { body, focal_length, paraxial, marginal } => {
             title(format!("Focal point of {}: {focal_length:.6} m from its center", names.body(*body)));
+            compare(text, "paraxial", paraxial);
+            if let Some(marginal) = marginal {
+                compare(text, "marginal", marginal);
+            }
+        }
+        ExactAnswer::LensFocus { body, focal_length, paraxial, marginal } => {
+            title(format!("Focal point of the lens {}: focal length {focal_length:.6} m", names.body(*body)));
             compare(text, "paraxial", paraxial);
             if let Some(marginal) = marginal {
                 compare(text, "marginal", marginal);
@@ -213,6 +224,10 @@ fn one(names: &ExactAnswers, answer: &ExactAnswer) -> Value {
         }),
         ExactAnswer::Focus { body: of, focal_length, paraxial, marginal } => json!({
             "kind": "focus", "body": body(of), "focal_length": focal_length,
+            "paraxial": compared(paraxial), "marginal": marginal.as_ref().map(compared),
+        }),
+        ExactAnswer::LensFocus { body: of, focal_length, paraxial, marginal } => json!({
+            "kind": "lens-focus", "body": body(of), "focal_length": focal_length,
             "paraxial": compared(paraxial), "marginal": marginal.as_ref().map(compared),
         }),
         ExactAnswer::ParabolicFocus { mirror, focal_length, is_virtual, near, marginal } => json!({

@@ -3,13 +3,14 @@
 use std::f64::consts::TAU;
 
 use catoptric_lab::exact::{
-    ExactAnswer, Inapplicable, alhazen, answers, answers_for, ball_crossing, ball_focal_length, mirrored,
-    ring_of_images, sphere_image, to_json, to_text,
+    ExactAnswer, Inapplicable, alhazen, answers, answers_for, ball_crossing, ball_focal_length,
+    lens_crossing, mirrored, ring_of_images, sphere_image, to_json, to_text,
 };
 use catoptric_optics::METALS;
 use catoptric_scene::{
-    Anchor, Attenuation, Body, Camera, Coated, Color, Conductor, Dielectric, Example, Light, Material,
-    MetalOptics, Mirror, ParaboloidDepth, Phong, Placement, Projection, RefractiveIndex, Scene, Shape,
+    Anchor, Attenuation, Body, BodyShape, Camera, Coated, Color, Conductor, Dielectric, Example, Light,
+    Material, MetalOptics, Mirror, ParaboloidDepth, Phong, Placement, Projection, RefractiveIndex, Scene,
+    Shape, ShapeKind,
 };
 use glam::DVec3;
 use proptest::prelude::*;
@@ -111,9 +112,16 @@ proptest! {
 
 #[test]
 fn the_tracer_agrees_with_the_laws_in_the_examples() {
-    let mut seen = [0; 7];
-    for name in ["ring-of-images", "concave-mirror", "lens", "whitted", "hall-of-mirrors", "parabolic-mirror"]
-    {
+    let mut seen = [0; 8];
+    for name in [
+        "ring-of-images",
+        "concave-mirror",
+        "lens",
+        "whitted",
+        "hall-of-mirrors",
+        "parabolic-mirror",
+        "optical-bench",
+    ] {
         for answer in &answers(&example(name)).answers {
             let near = |difference: Option<f64>, most: f64| {
                 assert!(difference.is_none_or(|difference| difference < most), "{name}: {answer:?}");
@@ -151,6 +159,11 @@ fn the_tracer_agrees_with_the_laws_in_the_examples() {
                     near(inner.difference(), 1e-4);
                     near(marginal.difference(), 1e-5);
                     6
+                }
+                ExactAnswer::LensFocus { paraxial, marginal, .. } => {
+                    near(paraxial.difference(), 1e-3);
+                    near(marginal.and_then(|marginal| marginal.difference()), 1e-5);
+                    7
                 }
             };
             seen[kind] += 1;
@@ -293,6 +306,95 @@ fn a_paraboloid_mirrors_all_light_along_its_axis_to_its_focus() {
             Scene { bodies: [body(Shape::PARABOLOID, DVec3::ZERO, material)].into(), ..Scene::default() };
         assert_eq!(answers(&scene).answers, []);
     }
+}
+
+#[test]
+fn a_dish_gathers_light_in_its_focus() {
+    let material = mirrors(0.0).remove(0);
+    for (radius, f) in [(0.5, 0.5), (1.2, 4.0), (0.4, 0.15)] {
+        let mut dish = turned(
+            body(Shape::SPHERE, DVec3::new(0.3, -1.0, 2.0), material.clone()),
+            DVec3::new(40.0, 70.0, -20.0),
+            DVec3::splat(2.0),
+        );
+        dish.set_shape(BodyShape::of_size(ShapeKind::MirrorDish, radius, 1.0));
+        dish.change_shape(|shape| shape.set_number("focal_length", f));
+        let focus = dish.placement.world_from_body().translation + 2.0 * f * dish.placement.rotation().y_axis;
+        let answer = |dish: &Body| answers(&Scene { bodies: [dish.clone()].into(), ..Scene::default() });
+        let found = answer(&dish);
+        let [ExactAnswer::ParabolicFocus { focal_length, is_virtual: false, near, marginal, .. }] =
+            found.answers.as_slice()
+        else {
+            panic!("{found:?}")
+        };
+        assert!((focal_length - 2.0 * f).abs() < 1e-12 && near.exact.distance(focus) < 1e-12);
+        for ray in [near, marginal] {
+            assert!(ray.difference().unwrap() < 1e-4 * f, "{radius} {f}: {ray:?}");
+        }
+        dish.change_shape(|shape| shape.set_word("profile", "spherical"));
+        assert_eq!(answer(&dish).answers, []);
+    }
+}
+
+#[test]
+fn lenses_gather_and_spread_light_where_their_equation_says() {
+    // Both faces bulge, both are hollow, one is flat, a meniscus; seen from either side.
+    for (front, back, thickness) in
+        [(1.0, -1.0, 0.3), (-0.9, 0.9, 0.08), (0.0, -0.8, 0.25), (1.1, 0.0, 0.2), (0.7, 1.9, 0.15)]
+    {
+        for (ior, eye) in [(1.5, -9.0), (1.5, 9.0), (1.8, -9.0)] {
+            let glass = Dielectric { index: RefractiveIndex::from(ior), ..Dielectric::default() };
+            let mut lens = turned(
+                body(Shape::SPHERE, DVec3::new(0.2, 1.0, -0.5), Material::Dielectric(glass)),
+                DVec3::new(10.0, 30.0, 75.0),
+                DVec3::splat(1.5),
+            );
+            lens.set_shape(ShapeKind::Lens.body_shape());
+            lens.change_shape(|shape| {
+                for (key, size) in [
+                    ("radius", 0.4),
+                    ("thickness", thickness),
+                    ("front_radius", front),
+                    ("back_radius", back),
+                ] {
+                    shape.set_number(key, size);
+                }
+            });
+            let middle = lens.placement.world_from_body().translation;
+            let axis = lens.placement.rotation().y_axis;
+            let mut scene = Scene { bodies: [lens].into(), ..Scene::default() };
+            scene.camera.position = middle + eye * axis + DVec3::X * 0.3;
+            let found = answers(&scene);
+            let [ExactAnswer::LensFocus { focal_length, paraxial, marginal, .. }] = found.answers.as_slice()
+            else {
+                panic!("{found:?}")
+            };
+            let curvature = |radius: f64| if radius == 0.0 { 0.0 } else { radius.recip() };
+            let (c, d, n) = ([front, back].map(curvature), thickness, ior - 1.0);
+            // Hecht 2017, Optics, eq. 6.2, with all lengths half as large again.
+            let f = 1.5 / (n * (c[0] - c[1] + n * d * c[0] * c[1] / ior));
+            assert!((focal_length - f).abs() < 1e-9 * f.abs(), "{focal_length} {f}");
+            let sign = if eye < 0.0 { 1.0 } else { -1.0 };
+            let first = if eye < 0.0 { c[0] } else { -c[1] };
+            let back_focal_length = f * (1.0 - n * d * first / ior);
+            let focus = middle + sign * axis * (0.5 * 1.5 * d + back_focal_length);
+            assert!(paraxial.exact.distance(focus) < 1e-9, "{paraxial:?} {focus}");
+            assert!(
+                paraxial.difference().unwrap() < 3e-3 * f.abs(),
+                "{front} {back} {ior} {eye}: {paraxial:?}"
+            );
+            let marginal = marginal.unwrap();
+            assert!(marginal.difference().unwrap() < 1e-4, "{front} {back} {ior} {eye}: {marginal:?}");
+            assert_eq!(to_json(&found)["answers"][0]["kind"], "lens-focus");
+        }
+    }
+    // A ball is a lens that is as thick as its diameter.
+    for height in [0.01, 0.3, 0.6] {
+        let crossing = lens_crossing([1.0, -1.0], 2.0, 1.5, height).unwrap();
+        assert!((crossing + 1.0 - ball_crossing(1.0, 1.5, height)).abs() < 1e-12);
+    }
+    assert_eq!(lens_crossing([0.3, -0.3], 0.1, 1.5, 0.4), None);
+    assert_eq!(lens_crossing([0.0, -0.3], 0.3, 2.0, 0.25), None, "reflected wholly");
 }
 
 #[test]

@@ -82,6 +82,15 @@ impl AnswerPainter<'_> {
                     self.compared(marginal, texts.get("exact-marginal"));
                 }
             }
+            ExactAnswer::LensFocus { body, focal_length, paraxial, marginal } => {
+                let center = scene.bodies.get(*body).map(|body| body.placement.world_from_body().translation);
+                self.dashed(center.unwrap_or(paraxial.exact), paraxial.exact);
+                let focus = texts.with("exact-lens-focus", &[("length", short(texts, *focal_length).into())]);
+                self.compared(paraxial, &focus);
+                if let Some(marginal) = marginal {
+                    self.compared(marginal, texts.get("exact-marginal"));
+                }
+            }
             ExactAnswer::ParabolicFocus { mirror, focal_length, near, marginal, .. } => {
                 let frame = scene.bodies.get(*mirror).map(|body| body.placement.world_from_body());
                 self.dashed(frame.map_or(near.exact, |frame| frame.translation), near.exact);
