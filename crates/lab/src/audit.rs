@@ -202,7 +202,7 @@ pub fn audit(
     };
     let mut names = DisplayNames::of_lights(scene);
     for node in trees.iter().flat_map(|tree| &tree.nodes) {
-        node.bodies().for_each(|body| names.meet(scene, body));
+        node.bodies().for_each(|(body, part)| names.meet(scene, body, part));
     }
     Ok(Audit {
         pixel,

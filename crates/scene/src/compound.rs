@@ -13,6 +13,7 @@ pub use parametric::{
 };
 pub(crate) use parametric::{BrokenSize, SizeFault};
 
+use crate::format::key_text;
 use crate::material::MaterialChoice;
 use crate::placement::{Anchor, Placement};
 use crate::shape::Shape;
@@ -166,6 +167,24 @@ impl<'a> Form<'a> {
         Some([min?, max?])
     }
 
+    /// The address within the body of a part, by its place among those of [`Self::each_simple`]: `parts.front.parts.0`.
+    /// Parts that nobody gave, as those of a lens, have the address of what they make; `None` for a simple body.
+    pub fn part_address(&self, place: usize) -> Option<String> {
+        let (mut address, mut form, mut left) = (String::new(), *self, place);
+        while form.shape.is_compound() && form.parametric().is_none() {
+            let mut parts = form.parts.iter().enumerate();
+            let (index, part) = parts.find(|(_, part)| {
+                let count = part.form().simple_parts(left);
+                let is_here = count > left;
+                left = if is_here { left } else { left - count };
+                is_here
+            })?;
+            address.push_str(&part_step(part, index, address.is_empty()));
+            form = part.form();
+        }
+        (!address.is_empty()).then_some(address)
+    }
+
     /// How many simple parts it has, or more than `most` if there are.
     pub(crate) fn simple_parts(&self, most: usize) -> usize {
         if !self.shape.is_compound() {
@@ -200,6 +219,12 @@ impl<'a> Form<'a> {
             part.form().each_simple_of(part.material.as_ref().or(material), frame, take);
         }
     }
+}
+
+/// The address of a part from that of its whole: `parts.front` by its name, else by its place.
+pub(crate) fn part_step(part: &BodyPart, index: usize, is_first: bool) -> String {
+    let own = if part.name.is_empty() { index.to_string() } else { key_text(&part.name) };
+    format!("{}parts.{own}", if is_first { "" } else { "." })
 }
 
 /// A box that holds nothing.
@@ -278,6 +303,9 @@ mod tests {
                 part.material.and_then(|m| m.name()),
             ));
         });
+        let addresses = [0, 1, 2].map(|place| body.form().part_address(place));
+        assert_eq!(addresses, [Some("parts.0".to_owned()), Some("parts.1.parts.0".to_owned()), None]);
+        assert_eq!(Body::default().form().part_address(0), None);
         let cube = DVec3::new(2.0, 2.0, 1.0);
         assert_eq!(found, [("sphere", DVec3::Z, None), ("cube", cube, Some("red"))]);
     }

@@ -69,6 +69,11 @@ pub(crate) struct Members {
     pub(crate) first: u32,
     /// The place in the scene of the body that each belongs to.
     pub(crate) scene_indices: Vec<u32>,
+    /// Which of the simple parts of that body each is, in the order of [`Form::each_simple`]; of a joined body among them
+    /// its first.
+    ///
+    /// [`Form::each_simple`]: catoptric_scene::Form::each_simple
+    pub(crate) parts: Vec<u32>,
 }
 
 /// How the bodies that a ray may meet are found among the bounded ones.
@@ -135,6 +140,12 @@ impl Geometry {
     /// The place in the scene of body `index`, or of what it is a part of.
     pub(crate) fn scene_index(&self, index: u32) -> Option<usize> {
         self.members.scene_index(*self.numbers.get(index as usize)?)
+    }
+
+    /// Which of the simple parts of a body of the scene body `index` is; `None` for one that has no parts.
+    pub(crate) fn part(&self, index: u32) -> Option<usize> {
+        let member = self.numbers.get(index as usize)?.checked_sub(self.members.first)?;
+        self.members.parts.get(member as usize).map(|&part| part as usize)
     }
 
     /// Which of two bodies comes first in the scene.

@@ -62,6 +62,7 @@ impl Audit {
             "ior": ray.ior,
             "hit": ray.hit.map(|hit| json!({
                 "body": self.body(hit.body),
+                "part": self.names.part(hit.body, hit.part),
                 "distance": ray.distance(),
                 "leaving": hit.from_within,
                 "position": hit.position.to_array().map(number),
@@ -127,6 +128,7 @@ impl Audit {
             .map(|crossing| {
                 json!({
                     "body": self.body(crossing.body),
+                    "part": self.names.part(crossing.body, crossing.part),
                     "distance": crossing.distance,
                     "leaving": crossing.leaving,
                     "filter": crossing.filter.map(|filter| filter.to_array()),

@@ -235,7 +235,7 @@ impl AuditText<'_> {
             "meets",
             &format!(
                 "{}{side} after {} m at {}, n̂ {}",
-                self.audit.names.body(hit.body),
+                self.audit.names.surface(hit.body, hit.part),
                 short(node.ray.distance().unwrap_or(f64::NAN)),
                 short_vector(hit.position),
                 short_vector(hit.normal)
@@ -381,7 +381,8 @@ impl AuditText<'_> {
             .iter()
             .take(MOST)
             .map(|crossing| {
-                let (name, at) = (self.audit.names.body(crossing.body), short(crossing.distance.into()));
+                let name = self.audit.names.surface(crossing.body, crossing.part);
+                let at = short(crossing.distance.into());
                 match crossing.filter {
                     Some(filter) => {
                         let act = if crossing.leaving { "leaves" } else { "enters" };

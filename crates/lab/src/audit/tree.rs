@@ -73,11 +73,12 @@ impl Node {
     }
 
     /// Every body that has to do with it: met, flown in, or in the way of its lights.
-    pub(super) fn bodies(&self) -> impl Iterator<Item = usize> {
+    pub(super) fn bodies(&self) -> impl Iterator<Item = (usize, Option<usize>)> {
         let lights = self.answer().into_iter().flat_map(|answer| &answer.lights);
         let crossings = lights.filter_map(|light| light.shadow.as_ref()).flat_map(|shadow| &shadow.crossings);
-        let met = self.ray.hit.map(|hit| hit.body);
-        met.into_iter().chain(self.ray.media.iter().copied()).chain(crossings.map(|crossing| crossing.body))
+        let met = self.ray.hit.map(|hit| (hit.body, hit.part));
+        let media = self.ray.media.iter().map(|body| (*body, None));
+        met.into_iter().chain(media).chain(crossings.map(|crossing| (crossing.body, crossing.part)))
     }
 
     /// The largest channel of its weight.

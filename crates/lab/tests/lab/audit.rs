@@ -240,6 +240,75 @@ fn ends_of_branches_have_reasons() {
 }
 
 #[test]
+fn the_part_whose_surface_is_met_is_named() {
+    // An empty part keeps its place; the rod goes through the shell, which is a lens around nothing.
+    let text = "format = 'catoptric/1'
+        [camera]
+        position = [0, 0, 9]
+        target = [0, 0, 0]
+        projection = 'parallel'
+        height = 4
+        [[lights]]
+        position = [0, 0, 50]
+        [[bodies]]
+        name = 'things'
+        shape = 'group'
+        [[bodies.parts]]
+        shape = 'intersection'
+        [[bodies.parts.parts]]
+        [[bodies.parts.parts]]
+        position = [9, 0, 0]
+        [[bodies.parts]]
+        name = 'shell'
+        shape = 'difference'
+        material = { model = 'dielectric', ior = 1.0 }
+        [[bodies.parts.parts]]
+        name = 'whole'
+        [[bodies.parts.parts]]
+        radius = 0.5
+        [[bodies.parts]]
+        shape = 'tube'
+        position = [1.5, -1, 0]
+        height = 2.0
+        [[bodies]]
+        name = 'wall'
+        shape = 'cube'
+        size = [9, 9, 1]
+        position = [0, 0, -5]
+        [[bodies]]
+        instance_of = 'things'
+        position = [0, 0, 30]";
+    let scene = catoptric_scene::read(text).into_result().unwrap().value;
+    let picture = RenderSettings { width: 64, height: 64, samples: 1 };
+    let met = |x: u32| {
+        let found = look(&scene, picture, UVec2::new(x, 32));
+        let hits: Vec<(String, Option<String>)> = found.trees[0]
+            .nodes
+            .iter()
+            .filter(|node| node.kind != NodeKind::Reflected)
+            .filter_map(|node| node.ray.hit)
+            .map(|hit| (found.names.body(hit.body), found.names.part(hit.body, hit.part).map(str::to_owned)))
+            .collect();
+        (hits, found)
+    };
+    let things = |part: &str| ("\"things\"".to_owned(), Some(part.to_owned()));
+    let (hits, found) = met(31);
+    let wall = ("\"wall\"".to_owned(), None);
+    let [whole, hollow] = ["parts.shell.parts.whole", "parts.shell.parts.1"].map(things);
+    assert_eq!(hits, [whole.clone(), hollow.clone(), hollow, whole, wall]);
+    assert!(catoptric_lab::audit::to_text(&found).contains("\"things\", parts.shell.parts.whole after"));
+    let shadow = found.trees[0].nodes.last().unwrap().answer().unwrap().lights[0].shadow.clone().unwrap();
+    let crossed: Vec<_> =
+        shadow.crossings.iter().map(|crossing| found.names.part(crossing.body, crossing.part)).collect();
+    let through =
+        ["parts.shell.parts.whole", "parts.shell.parts.1", "parts.shell.parts.1", "parts.shell.parts.whole"];
+    // First those of the body before the wall, then those of its instance.
+    assert_eq!(crossed, [through, through].concat().into_iter().map(Some).collect::<Vec<_>>());
+    // Nobody gave the parts of a tube.
+    assert_eq!(met(55).0.first(), Some(&things("parts.2")));
+}
+
+#[test]
 fn pixels_beyond_the_picture_are_refused() {
     let scene = Scene::default();
     let render_scene = RenderScene::build(&scene).unwrap();

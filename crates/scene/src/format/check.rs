@@ -6,14 +6,13 @@ use std::fmt;
 use crate::Scene;
 use crate::body::Body;
 use crate::camera::Camera;
-use crate::compound::{Form, InstanceFault};
+use crate::compound::{Form, InstanceFault, part_step};
 use crate::format::material;
 use crate::format::message::{Collection, Component, FoundValue, Message, Subject};
 use crate::format::quote::quoted;
 use crate::format::record::{self, Datum, Record};
 use crate::format::rules;
 use crate::format::spec::{KeySpec, Kind, Limits};
-use crate::format::write::key_text;
 use crate::language::Language;
 use crate::light::Light;
 use crate::material::{MaterialChoice, NamedMaterial};
@@ -237,9 +236,7 @@ impl SceneValidator {
         }
         let mut names: HashSet<&str> = HashSet::new();
         for (index, part) in form.parts.iter().enumerate() {
-            let point = if of.within.is_empty() { "" } else { "." };
-            let own = if part.name.is_empty() { index.to_string() } else { key_text(&part.name) };
-            let within = format!("{}{point}parts.{own}", of.within);
+            let within = format!("{}{}", of.within, part_step(part, index, of.within.is_empty()));
             let inner = NamedPart { part: of.part, name: of.name, within };
             self.geometry(&inner, &record::part(part), &part.form(), depth + 1);
             if !part.name.is_empty() && !names.insert(&part.name) {

@@ -16,6 +16,9 @@ use crate::transport::scene::RenderScene;
 pub struct RayIntersection {
     /// The place of the body in [`Scene::bodies`](catoptric_scene::Scene::bodies).
     pub body: usize,
+    /// Which of the simple parts of that it meets, in the order of
+    /// [`Form::each_simple`](catoptric_scene::Form::each_simple); `None` for a body without parts.
+    pub part: Option<usize>,
     /// Parameter, place in the scene and side, as the search found them.
     pub hit: HitRecord,
     /// The point on the surface in the world, meters.
@@ -32,6 +35,7 @@ impl RayIntersection {
         let point = scene.geometry.surface_point(hit.body, (rays.origin, rays.direction), hit.t, hit.leaving);
         Some(Self {
             body: scene.scene_index(hit.body)?,
+            part: scene.geometry.part(hit.body),
             hit,
             position: scene.world_from_render(point.in_world),
             normal: point.normal.into(),

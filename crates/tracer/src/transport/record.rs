@@ -173,6 +173,8 @@ pub struct ShadowRecord {
 pub struct ShadowCrossing {
     /// The place of the body in [`Scene::bodies`](catoptric_scene::Scene::bodies).
     pub body: usize,
+    /// Which of its simple parts, as [`RayIntersection::part`](crate::RayIntersection::part).
+    pub part: Option<usize>,
     /// Distance from the point, meters.
     pub distance: f32,
     /// Whether the body is left here, not entered.

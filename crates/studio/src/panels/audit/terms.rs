@@ -96,6 +96,15 @@ struct AuditLineWriter<'a> {
 }
 
 impl AuditLineWriter<'_> {
+    /// A body, and the part of it whose surface is met, by its address.
+    fn surface_name(&self, body: usize, part: Option<usize>) -> String {
+        let name = body_name(self.texts, self.scene, body);
+        match self.audit.names.part(body, part) {
+            Some(part) => format!("{name}, {part}"),
+            None => name,
+        }
+    }
+
     fn node(&self, node: &Node) -> Vec<AuditLine> {
         let mut terms = vec![self.way(node)];
         match node.answer() {
@@ -159,7 +168,7 @@ impl AuditLineWriter<'_> {
         let texts = self.texts;
         if let Some(hit) = node.ray.hit {
             let arguments = [
-                ("body", body_name(texts, self.scene, hit.body).into()),
+                ("body", self.surface_name(hit.body, hit.part).into()),
                 ("distance", short(self.texts, node.ray.distance().unwrap_or(f64::NAN)).into()),
                 ("point", vector(self.texts, hit.position).into()),
                 ("normal", vector(self.texts, hit.normal).into()),
@@ -306,7 +315,7 @@ impl AuditLineWriter<'_> {
             .iter()
             .take(MOST_NAMED)
             .map(|crossing| {
-                let name = body_name(texts, self.scene, crossing.body);
+                let name = self.surface_name(crossing.body, crossing.part);
                 let at = short(self.texts, crossing.distance.into());
                 let mut arguments = vec![("body", name.into()), ("distance", at.into())];
                 match crossing.filter {

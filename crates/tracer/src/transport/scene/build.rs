@@ -74,12 +74,16 @@ struct ChunkBuild<'a> {
     /// Members of groups and parts of joined bodies, numbered from 0 on.
     members: Vec<MemberBuild>,
     joined: Vec<JoinedBuild>,
+    /// How many simple parts of the body at hand came before.
+    parts_before: u32,
 }
 
 /// A body that the scene has only as a part of another.
 struct MemberBuild {
     /// The place in the scene of what it belongs to.
     scene_index: u32,
+    /// Which of the simple parts of that it is.
+    part: u32,
     body: RenderBody,
     double: Option<Box<Body64>>,
     /// Whether searches look for it, and within which bounds: a part of a joined body is no place by itself.
@@ -117,7 +121,11 @@ impl BodyBuild {
             bodies: NumberedBodies {
                 chunks: Vec::with_capacity(chunks.len()),
                 members: Vec::new(),
-                numbering: Members { first: scene.bodies.len() as u32, scene_indices: Vec::new() },
+                numbering: Members {
+                    first: scene.bodies.len() as u32,
+                    scene_indices: Vec::new(),
+                    parts: Vec::new(),
+                },
             },
             joined: Vec::new(),
             materials: Vec::new(),
@@ -141,7 +149,7 @@ impl BodyBuild {
                 .extend(joined.map(|joined| JoinedBuild { first: first_member + joined.first, ..joined }));
             for member in chunk.members {
                 let number = all.bodies.member_number();
-                let MemberBuild { scene_index, body, double, search } = member;
+                let MemberBuild { scene_index, part, body, double, search } = member;
                 member_doubles.extend(double.map(|double| (number, *double)));
                 match search {
                     Some(SearchedBounds::Bounded(bounds)) => {
@@ -152,6 +160,7 @@ impl BodyBuild {
                 }
                 all.bodies.members.push(numbering.applied(body));
                 all.bodies.numbering.scene_indices.push(scene_index);
+                all.bodies.numbering.parts.push(part);
             }
             all.bodies.chunks.push((chunk.bodies, numbering));
         }
@@ -223,6 +232,7 @@ impl<'a> ChunkBuild<'a> {
             doubles: Vec::new(),
             members: Vec::new(),
             joined: Vec::new(),
+            parts_before: 0,
         };
         for (body, index) in slices.iter().copied().flatten().zip(first as u32..) {
             chunk.add(body, index)?;
@@ -236,6 +246,7 @@ impl<'a> ChunkBuild<'a> {
             return Ok(());
         }
         let place = ScenePlace { body, index };
+        self.parts_before = 0;
         let (prepared, search) = match body.shape {
             Shape::Group => {
                 self.add_members(place, &body.form(), &body.material, DAffine3::IDENTITY)?;
@@ -293,6 +304,7 @@ impl<'a> ChunkBuild<'a> {
         let frame = around * group.placement.world_from_body();
         for part in group.parts {
             let (form, material) = (part.form(), part.material.as_ref().unwrap_or(material));
+            let part = self.parts_before;
             let (body, double, search) = match form.shape {
                 Shape::Group => {
                     self.add_members(place, &form, material, frame)?;
@@ -306,10 +318,11 @@ impl<'a> ChunkBuild<'a> {
                     let frame = frame * form.placement.world_from_body();
                     let canonical = CanonicalBody::placed(form.sized_shape(), frame);
                     let PreparedBody { body, bounds, double } = self.prepare(place, &canonical, material)?;
+                    self.parts_before += 1;
                     (body, double, Some(SearchedBounds::of(bounds)))
                 }
             };
-            self.members.push(MemberBuild { scene_index: place.index, body, double, search });
+            self.members.push(MemberBuild { scene_index: place.index, part, body, double, search });
         }
         Ok(())
     }
@@ -337,13 +350,16 @@ impl<'a> ChunkBuild<'a> {
         // Boxes in the frame of the whole are mostly the tighter ones.
         let (mut boxes, mut own_boxes, mut members) = (Vec::new(), Vec::new(), Vec::new());
         let frame = around * form.placement.world_from_body();
-        for (part, material) in parts {
+        let first_part = self.parts_before;
+        self.parts_before += tree.parts;
+        for ((part, material), number) in parts.into_iter().zip(first_part..) {
             let in_whole = CanonicalBody::placed(part.shape, part.frame);
             own_boxes.push(in_whole.bounds().unwrap_or(Bounds::EVERYWHERE));
             let canonical = CanonicalBody::placed(part.shape, frame * part.frame);
             let PreparedBody { body, bounds, double } = self.prepare(place, &canonical, material)?;
             boxes.push(bounds.unwrap_or(Bounds::EVERYWHERE));
-            members.push(MemberBuild { scene_index: place.index, body, double, search: None });
+            let scene_index = place.index;
+            members.push(MemberBuild { scene_index, part: number, body, double, search: None });
         }
         let of_all =
             |boxes: &[Bounds]| tree.bounds(|part| boxes.get(part as usize).copied().unwrap_or(Bounds::EMPTY));

@@ -186,8 +186,9 @@ impl PathObserver<ScalarWidth> for PathRecorder<'_> {
                     media.push(whole);
                 }
             }
+            let part = self.scene.geometry.part(hit.body);
             let Some(body) = self.scene.scene_index(hit.body) else { continue };
-            crossings.push(ShadowCrossing { body, distance: hit.t, leaving, filter });
+            crossings.push(ShadowCrossing { body, part, distance: hit.t, leaving, filter });
         }
         let through_last = left_until(distance, &media);
         if let Some(term) = self.lights.last_mut() {
