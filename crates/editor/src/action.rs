@@ -7,13 +7,15 @@ mod instance;
 mod join;
 mod list;
 mod material;
+mod nest;
 mod outcome;
+mod part;
 mod place;
 mod select;
 
 use std::path::Path;
 
-use catoptric_scene::{Diagnostics, MaterialChoice, ShapeKind};
+use catoptric_scene::{Diagnostics, MaterialChoice, Shape, ShapeKind};
 use glam::DVec3;
 
 use crate::document::{Editor, RefusedChange};
@@ -21,13 +23,19 @@ use crate::edited_scene::EditedScene;
 use crate::identity::Item;
 use crate::label::Label;
 use crate::new_body::NewBodyPlacement;
+use crate::part_path::PartPath;
 use crate::selection::Selection;
 use flags::Flag;
 use list::ListMove;
+pub use nest::PartSlot;
 pub(crate) use outcome::{ActionOutcome, subject};
+use part::PartAct;
 
 /// A discrete change of a document. Each is one undo step, except those that only select, undo or redo. Locked bodies
 /// and lights do not change unless stated otherwise.
+///
+/// While a [part](Selection::part) of a body is meant, what can be done to a part is done to it: copies, deletions, order,
+/// materials, and what is pasted becomes a part beside it. Hiding and locking are of the whole.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
     /// Adds a body in a color of its own and selects it.
@@ -130,6 +138,27 @@ pub enum Action {
     DuplicateAsInstance,
     /// Makes the selected instances bodies of their own, which look the same.
     MakeOwn,
+    /// Makes the selected bodies, or the part that is meant, parts of what has the slot; without one, of the primary
+    /// body, at the end. They stay where they are and look as they did.
+    Nest(Option<PartSlot>),
+    /// Makes a body of the part that is meant, before the one that is at this place now or after its whole. It stays where
+    /// it is and looks as it did; a whole without parts goes.
+    TakeOut(Option<usize>),
+    /// Gives the part that is meant the material of what it is a part of.
+    MaterialOfWhole,
+    /// Gives another name to a part, also of a locked body. A name that is taken beside it is made unique by a number.
+    RenamePart {
+        /// The body.
+        whole: Item,
+        /// The part of it.
+        part: PartPath,
+        /// The new name; may be empty.
+        name: String,
+    },
+    /// Means the first part of the selected body, or of the part that is meant.
+    SelectPart,
+    /// Means what is around the part that is meant.
+    SelectWhole,
     /// Deletes the named materials that no body uses.
     RemoveUnusedMaterials,
     /// Takes the last step back.
@@ -156,6 +185,18 @@ pub enum ActionError {
         /// The name that the body would have.
         name: String,
     },
+    /// The body or part has no parts of its own to which others could be added.
+    #[error("only a union, an intersection, a difference or a group has parts")]
+    NotJoined,
+    /// Something cannot be a part of itself.
+    #[error("nothing can be a part of itself")]
+    WithinItself,
+    /// Parts would be nested too deep.
+    #[error("parts can be nested {} deep at most", Shape::MAX_DEPTH)]
+    TooDeep,
+    /// A union, an intersection or a difference would have too many simple parts.
+    #[error("a union, an intersection or a difference has {} simple parts at most", Shape::MAX_PARTS)]
+    TooManyParts,
     /// The action would change nothing.
     #[error("there is nothing to do")]
     NothingToDo,
@@ -227,6 +268,11 @@ impl Action {
         "edit-take-apart",
         "edit-duplicate-as-instance",
         "edit-make-own",
+        "edit-nest",
+        "edit-take-out",
+        "edit-material-of-whole",
+        "edit-select-part",
+        "edit-select-whole",
         "edit-remove-unused-materials",
         "edit-undo",
         "edit-redo",
@@ -276,7 +322,7 @@ impl Action {
             Self::InvertSelection => "edit-invert-selection",
             Self::SelectNext => "edit-select-next",
             Self::SelectPrevious => "edit-select-previous",
-            Self::Rename { .. } => "edit-rename",
+            Self::Rename { .. } | Self::RenamePart { .. } => "edit-rename",
             Self::Cut => "edit-cut",
             Self::Paste(_) => "edit-paste",
             Self::AssignMaterial(_) => "edit-assign-material",
@@ -287,6 +333,11 @@ impl Action {
             Self::TakeApart => "edit-take-apart",
             Self::DuplicateAsInstance => "edit-duplicate-as-instance",
             Self::MakeOwn => "edit-make-own",
+            Self::Nest(_) => "edit-nest",
+            Self::TakeOut(_) => "edit-take-out",
+            Self::MaterialOfWhole => "edit-material-of-whole",
+            Self::SelectPart => "edit-select-part",
+            Self::SelectWhole => "edit-select-whole",
             Self::RemoveUnusedMaterials => "edit-remove-unused-materials",
             Self::Undo => "edit-undo",
             Self::Redo => "edit-redo",
@@ -301,12 +352,33 @@ impl Action {
             Self::InvertSelection => select::invert(scene, selection),
             Self::SelectNext => select::next(scene, selection, true),
             Self::SelectPrevious => select::next(scene, selection, false),
+            Self::SelectPart => part::first_part(scene, selection),
+            Self::SelectWhole => part::around(selection),
+            _ => return None,
+        })
+    }
+
+    /// What is done to a part where the action is about what is selected.
+    fn of_part(&self) -> Option<PartAct<'_>> {
+        Some(match self {
+            Self::Duplicate => PartAct::Duplicate,
+            Self::Delete | Self::Cut => PartAct::Delete,
+            Self::MoveUp => PartAct::Up,
+            Self::MoveDown => PartAct::Down,
+            Self::AssignMaterial(choice) => PartAct::Assign(Some(choice)),
+            Self::ShareMaterial => PartAct::Share,
+            Self::MakeMaterialUnique => PartAct::MakeUnique,
+            Self::ResetPlacement => PartAct::ResetPlacement,
+            Self::MoveToIndex(_) | Self::DropToGround | Self::TakeApart => PartAct::Nothing,
             _ => return None,
         })
     }
 
     /// Whether an act on the scene has something to do.
     fn check(&self, scene: &EditedScene, selection: &Selection) -> Result<(), ActionError> {
+        if let Some(act) = self.of_part().filter(|_| selection.part().is_some()) {
+            return part::check(scene, selection, act);
+        }
         match self {
             // A body of parts is joined of others.
             Self::AddBody { shape, .. } if shape.is_compound() => Err(ActionError::NothingToDo),
@@ -338,12 +410,20 @@ impl Action {
             Self::TakeApart => join::check_take_apart(scene, selection).map(drop),
             Self::DuplicateAsInstance => instance::check_duplicate(scene, selection).map(drop),
             Self::MakeOwn => instance::check_make_own(scene, selection).map(drop),
+            Self::Nest(slot) => nest::check(scene, selection, *slot),
+            Self::TakeOut(_) => nest::check_out(scene, selection),
+            Self::MaterialOfWhole => part::check(scene, selection, PartAct::Assign(None)),
+            Self::RenamePart { whole, part, name } => {
+                part::check_rename(scene, *whole, *part, name).map(drop)
+            }
             Self::RemoveUnusedMaterials => material::check_unused(scene.scene()).map(drop),
             Self::SelectAll
             | Self::SelectNone
             | Self::InvertSelection
             | Self::SelectNext
             | Self::SelectPrevious
+            | Self::SelectPart
+            | Self::SelectWhole
             | Self::Undo
             | Self::Redo => Err(ActionError::NothingToDo),
         }
@@ -356,6 +436,9 @@ impl Action {
         selection: &Selection,
         folder: Option<&Path>,
     ) -> Result<ActionOutcome, ActionError> {
+        if let Some(act) = self.of_part().filter(|_| selection.part().is_some()) {
+            return part::outcome(scene, selection, act);
+        }
         match self {
             Self::AddBody { shape, .. } if shape.is_compound() => Err(ActionError::NothingToDo),
             Self::AddBody { shape, placement, name } => Ok(add::body(scene, *shape, placement, name.trim())),
@@ -373,7 +456,7 @@ impl Action {
             Self::MoveDown => list::reorder(scene, selection, ListMove::Down),
             Self::MoveToIndex(place) => list::reorder(scene, selection, ListMove::To(*place)),
             Self::Rename { item, name } => material::rename(scene, selection, *item, name),
-            Self::Paste(text) => fragment::paste(scene, text, folder),
+            Self::Paste(text) => nest::paste_beside(fragment::paste(scene, text, folder)?, scene, selection),
             Self::AssignMaterial(choice) => material::assign(scene, selection, choice),
             Self::ShareMaterial => material::share(scene, selection),
             Self::MakeMaterialUnique => material::make_unique(scene, selection),
@@ -383,12 +466,18 @@ impl Action {
             Self::TakeApart => join::take_apart(scene, selection),
             Self::DuplicateAsInstance => instance::duplicate(scene, selection),
             Self::MakeOwn => instance::make_own(scene, selection),
+            Self::Nest(slot) => nest::nest(scene, selection, *slot),
+            Self::TakeOut(place) => nest::take_out(scene, selection, *place),
+            Self::MaterialOfWhole => part::outcome(scene, selection, PartAct::Assign(None)),
+            Self::RenamePart { whole, part, name } => part::rename(scene, selection, (*whole, *part), name),
             Self::RemoveUnusedMaterials => material::remove_unused(scene, selection),
             Self::SelectAll
             | Self::SelectNone
             | Self::InvertSelection
             | Self::SelectNext
             | Self::SelectPrevious
+            | Self::SelectPart
+            | Self::SelectWhole
             | Self::Undo
             | Self::Redo => Err(ActionError::NothingToDo),
         }
@@ -433,6 +522,15 @@ impl Editor {
                 None => action.check(self.edited(), self.selection()).is_ok(),
             },
         }
+    }
+
+    /// Why [`Self::apply`] would do nothing, for drops that are not let go yet: limits are tried, too.
+    ///
+    /// # Errors
+    /// Those of [`Self::apply`].
+    pub fn try_out(&self, action: &Action) -> Result<(), ActionError> {
+        let outcome = action.outcome(self.edited(), self.selection(), self.folder())?;
+        if outcome.scene.scene() == self.scene() { Err(ActionError::NothingToDo) } else { Ok(()) }
     }
 
     /// The selected bodies and lights, and the materials they name or that are selected, as the text of a scene file:

@@ -12,6 +12,7 @@ use catoptric_scene::{Problem, Scene, ScenePart};
 use crate::edited_scene::EditedScene;
 use crate::history::{Difference, History, UndoStep};
 use crate::label::Label;
+use crate::part_path::PartPath;
 use crate::selection::Selection;
 pub(crate) use images::mover;
 pub use saving::SceneWriter;
@@ -154,11 +155,16 @@ impl Editor {
         self.edited.part(self.selection.primary()?)
     }
 
+    /// The place of the selected body of which a part is meant, and the way to the part.
+    pub fn selected_part(&self) -> Option<(usize, PartPath)> {
+        self.edited.part_in(&self.selection)
+    }
+
     /// Selects something else. What the scene does not have is left out. This is no undo step; steps remember what was
     /// selected before and after them.
     pub fn select(&mut self, selection: impl Into<Selection>) {
         self.selection = selection.into();
-        self.selection.retain(|item| self.edited.contains(item));
+        self.edited.clip(&mut self.selection);
     }
 
     /// Selects what stands at these places now, as [`Self::select`] does.
@@ -276,6 +282,9 @@ impl Editor {
         self.edited.check_identities()?;
         if let Some(item) = self.selection.iter().find(|item| !self.edited.contains(*item)) {
             return Err(format!("{item:?} is selected, but the scene has none"));
+        }
+        if self.selection.part().is_some() && self.selected_part().is_none() {
+            return Err(format!("a part is selected that the scene does not have: {:?}", self.selection));
         }
         let distinct: std::collections::HashSet<_> = self.selection.iter().collect();
         if distinct.len() != self.selection.len() {

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use catoptric_scene::{Body, Light, NamedMaterial, Scene, ScenePart};
 
 use crate::identity::{IdList, Identities, Item, ItemId, matched};
+use crate::part_path::PartPath;
 use crate::selection::Selection;
 
 /// The scene of an open document, and the identities of its materials, lights and bodies. A copy shares all of it.
@@ -89,6 +90,22 @@ impl EditedScene {
     /// The places of selected things, in the order of choosing.
     pub fn parts_of(&self, selection: &Selection) -> impl DoubleEndedIterator<Item = ScenePart> {
         selection.iter().filter_map(|item| self.part(item))
+    }
+
+    /// The place of the selected body of which a part is meant, and the way to the part.
+    pub fn part_in(&self, selection: &Selection) -> Option<(usize, PartPath)> {
+        let path = selection.part()?;
+        let Some(ScenePart::Body(index)) = self.part(selection.primary()?) else { return None };
+        path.part(self.scene.bodies.get(index)?)?;
+        Some((index, path))
+    }
+
+    /// Drops from a selection what the scene does not have.
+    pub(crate) fn clip(&self, selection: &mut Selection) {
+        selection.retain(|item| self.contains(item));
+        if self.part_in(selection).is_none() {
+            selection.forget_part();
+        }
     }
 
     /// The name of a thing; empty for what has none.

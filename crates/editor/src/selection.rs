@@ -1,29 +1,48 @@
 //! The selection.
 
 use crate::identity::Item;
+use crate::part_path::PartPath;
 
 /// Selected things, in the order in which they were chosen, none twice. The last one is the primary one: the one that
 /// an inspector shows.
+///
+/// Of a joined body that is selected alone, a part may be meant: the body stays what is selected, and
+/// [`Self::part`] tells the part.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Selection {
     items: Vec<Item>,
+    part: Option<PartPath>,
 }
 
 impl Selection {
     /// Nothing.
     pub const fn none() -> Self {
-        Self { items: Vec::new() }
+        Self { items: Vec::new(), part: None }
     }
 
     /// A selection of one thing.
     pub fn one(item: Item) -> Self {
-        Self { items: vec![item] }
+        Self { items: vec![item], part: None }
+    }
+
+    /// A part of a joined body; the body itself for the way to the whole.
+    pub fn of_part(whole: Item, part: PartPath) -> Self {
+        Self { items: vec![whole], part: Some(part).filter(|part| !part.is_whole()) }
+    }
+
+    /// The part of the selected body that is meant.
+    pub fn part(&self) -> Option<PartPath> {
+        self.part
+    }
+
+    /// Means the whole body again.
+    pub(crate) fn forget_part(&mut self) {
+        self.part = None;
     }
 
     /// Selects this one thing instead of what was selected.
     pub fn set(&mut self, item: Item) {
-        self.items.clear();
-        self.items.push(item);
+        *self = Self::one(item);
     }
 
     /// Adds a thing, and makes it the primary one.
@@ -34,6 +53,7 @@ impl Selection {
 
     /// Takes a thing out.
     pub fn remove(&mut self, item: Item) {
+        self.part = None;
         self.items.retain(|other| *other != item);
     }
 
@@ -42,13 +62,13 @@ impl Selection {
         if self.contains(item) {
             self.remove(item);
         } else {
-            self.items.push(item);
+            self.add(item);
         }
     }
 
     /// Selects nothing.
     pub fn clear(&mut self) {
-        self.items.clear();
+        *self = Self::none();
     }
 
     /// Whether a thing is selected.
@@ -79,6 +99,7 @@ impl Selection {
     /// Drops what `is_kept` does not hold for.
     pub(crate) fn retain(&mut self, is_kept: impl Fn(Item) -> bool) {
         self.items.retain(|item| is_kept(*item));
+        self.part = self.part.filter(|_| !self.items.is_empty());
     }
 }
 
@@ -86,7 +107,7 @@ impl FromIterator<Item> for Selection {
     /// Of equal items the first counts.
     fn from_iter<T: IntoIterator<Item = Item>>(items: T) -> Self {
         let mut seen = std::collections::HashSet::new();
-        Self { items: items.into_iter().filter(|item| seen.insert(*item)).collect() }
+        Self { items: items.into_iter().filter(|item| seen.insert(*item)).collect(), part: None }
     }
 }
 

@@ -4,10 +4,12 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 use std::path::Path;
 
 use catoptric_scene::{
-    HasImages as _, ImageSource, MaterialChoice, Scene, ScenePart, Shape, read, write_fragment,
+    HasImages as _, ImageSource, List, MaterialChoice, Scene, ScenePart, Shape, read, write_fragment,
 };
 use glam::DVec3;
 
+use super::nest::body_as_seen;
+use super::part::focused;
 use super::{ActionError, ActionOutcome, subject};
 use crate::bounds;
 use crate::document::mover;
@@ -21,14 +23,22 @@ const ASIDE: f64 = 0.5;
 /// The most places that are tried for copies before they are left where something else stands.
 const MOST_STEPS: u32 = 1000;
 
-/// The selected bodies and lights, and the materials they name or that are selected, as a scene file's text. Paths of
+/// The selected bodies and lights or the part that is meant, and the materials they name or that are selected, as a scene
+/// file's text. Paths of
 /// pictures become whole where there is a `folder` at which they begin.
 pub(crate) fn copy(edited: &EditedScene, selection: &Selection, folder: Option<&Path>) -> Option<String> {
     let scene = edited.scene();
     let chosen: BTreeSet<ScenePart> = edited.parts_of(selection).collect();
     let body = |part: &ScenePart| if let ScenePart::Body(at) = *part { scene.bodies.get(at) } else { None };
     let light = |part: &ScenePart| if let ScenePart::Light(at) = *part { scene.lights.get(at) } else { None };
-    let mut copied = Scene { bodies: chosen.iter().filter_map(body).cloned().collect(), ..Scene::default() };
+    let mut bodies: List<_> = chosen.iter().filter_map(body).cloned().collect();
+    if let Some(focus) = focused(edited, selection) {
+        let name = if focus.part.name.is_empty() { &focus.body.name } else { &focus.part.name };
+        // One that no body can be where it stands is copied as it is within its whole.
+        let part = body_as_seen(&focus, name.clone()).ok().or_else(|| focus.path.as_body(focus.body));
+        bodies = part.into_iter().collect();
+    }
+    let mut copied = Scene { bodies, ..Scene::default() };
     copied.free_lost_instances();
     let Scene { bodies, .. } = copied;
     let lights: Vec<_> = chosen.iter().filter_map(light).cloned().collect();

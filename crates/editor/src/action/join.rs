@@ -3,9 +3,9 @@
 use std::collections::HashSet;
 
 use catoptric_scene::{Body, BodyPart, Placement, Scene, ScenePart, ShapeKind};
-use glam::DMat3;
 
 use super::ActionError;
+use super::nest::body_of_part;
 use super::outcome::{ActionOutcome, Result, selected_bodies, subject, wanting};
 use crate::edited_scene::EditedScene;
 use crate::names::UsedNames;
@@ -103,9 +103,12 @@ pub(super) fn take_apart(edited: &EditedScene, selection: &Selection) -> Result 
         let Some(whole) = scene.bodies.get(index) else { continue };
         let parts_of_whole = whole.form().parts;
         let mut bodies = Vec::with_capacity(parts_of_whole.len());
+        let frame = whole.placement.world_from_body();
         for part in parts_of_whole {
             let name = names.take(if part.name.is_empty() { &whole.name } else { &part.name });
-            bodies.push(body_of_part(whole, part, name)?);
+            let material = part.material.as_ref().unwrap_or(&whole.material);
+            let body = body_of_part(part, material, frame, name)?;
+            bodies.push(Body { hidden: whole.hidden, ..body });
         }
         let mut bodies = bodies.into_iter();
         let Some(first) = bodies.next() else { continue };
@@ -130,28 +133,4 @@ pub(super) fn take_apart(edited: &EditedScene, selection: &Selection) -> Result 
         .collect();
     apart.reorder(ScenePart::Body, &order);
     Ok(ActionOutcome { scene: apart, selection, subject: subject(scene, &wholes) })
-}
-
-/// A part as a body that looks the same.
-fn body_of_part(whole: &Body, part: &BodyPart, name: String) -> Result<Body> {
-    let frame = whole.placement.world_from_body();
-    let (shape, placement) = if frame.matrix3 == DMat3::IDENTITY {
-        (part.shape, part.placement.moved_by(frame.translation))
-    } else {
-        let shape = part.form().sized_shape();
-        let placement = shape.placed(frame * part.placement.world_from_body());
-        let sheared = || ActionError::Sheared { name: name.clone() };
-        (shape, placement.ok_or_else(sheared)?)
-    };
-    Ok(Body {
-        name,
-        shape,
-        placement,
-        material: part.material.clone().unwrap_or_else(|| whole.material.clone()),
-        hidden: whole.hidden,
-        locked: false,
-        parts: part.parts.clone(),
-        parametric: part.parametric.clone(),
-        instance: part.instance.clone(),
-    })
 }

@@ -78,7 +78,6 @@ pub(super) fn delete_parts(
         }
     });
     left.remove(&parts.iter().copied().collect());
-    left.edit(Scene::free_lost_instances);
     ActionOutcome { scene: left, selection: selection.clone(), subject: subject(scene, parts) }
 }
 

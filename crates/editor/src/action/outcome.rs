@@ -66,7 +66,7 @@ pub(super) fn edit_bodies(
     Ok(ActionOutcome::edited(scene, selection, &parts, |scene| {
         for index in indices {
             if let Some(body) = scene.bodies.get_mut(index) {
-                body.edit(&edit);
+                edit(body);
             }
         }
     }))

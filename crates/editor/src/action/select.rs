@@ -3,6 +3,7 @@
 use catoptric_scene::ScenePart;
 
 use super::flags::all;
+use super::part;
 use crate::edited_scene::EditedScene;
 use crate::identity::Item;
 use crate::selection::Selection;
@@ -24,6 +25,9 @@ pub(super) fn invert(scene: &EditedScene, selection: &Selection) -> Selection {
 
 /// The item after the primary one in the round of all that are not hidden, or before it.
 pub(super) fn next(scene: &EditedScene, selection: &Selection, is_forward: bool) -> Selection {
+    if let Some(focus) = part::focused(scene, selection) {
+        return part::next(&focus, selection, is_forward);
+    }
     let shown: Vec<ScenePart> = all(scene.scene()).filter(|part| !part.is_hidden(scene.scene())).collect();
     let primary = selection.primary().and_then(|primary| scene.part(primary));
     let primary = primary.and_then(|primary| shown.iter().position(|part| *part == primary));

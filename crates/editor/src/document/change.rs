@@ -2,10 +2,13 @@
 
 use std::sync::Arc;
 
-use catoptric_scene::{Body, Camera, Environment, Light, Material, Problem, Scene, ScenePart, Tracing};
+use catoptric_scene::{
+    Body, BodyPart, Camera, Environment, Light, Material, Problem, Scene, ScenePart, Tracing,
+};
 
 use super::{Difference, EditedScene, Editor, Gesture, RefusedChange, Selection, UndoStep};
 use crate::label::Label;
+use crate::part_path::PartPath;
 
 /// Changes of more elements than this are checked by a check of the whole scene.
 const MOST_PARTS: usize = 16;
@@ -31,7 +34,7 @@ impl Editor {
         let edited = self.edited.revised(Arc::new(scene));
         let start = std::mem::replace(&mut self.edited, edited);
         self.open_at(label, Some(start));
-        self.selection.retain(|item| self.edited.contains(item));
+        self.edited.clip(&mut self.selection);
         self.revision += 1;
         Ok(true)
     }
@@ -54,6 +57,24 @@ impl Editor {
         })
     }
 
+    /// Changes a part of a body; one that does not exist stays so.
+    ///
+    /// # Errors
+    /// Those of [`Self::change`].
+    pub fn change_part(
+        &mut self,
+        index: usize,
+        part: PartPath,
+        label: Label,
+        edit: impl FnOnce(&mut BodyPart),
+    ) -> Result<bool, RefusedChange> {
+        self.change_body(index, label, |body| {
+            if let Some(part) = part.part_mut(body) {
+                edit(part);
+            }
+        })
+    }
+
     /// Changes several bodies, all or none; `edit` gets the place of each.
     ///
     /// # Errors
@@ -62,14 +83,14 @@ impl Editor {
         &mut self,
         indices: impl IntoIterator<Item = usize>,
         label: Label,
-        mut edit: impl FnMut(usize, &mut Body),
+        edit: impl FnMut(usize, &mut Body),
     ) -> Result<bool, RefusedChange> {
         self.change_elements(
             indices,
             label,
             |scene, index| scene.bodies.get_mut(index),
             ScenePart::Body,
-            |index, body| body.edit(|body| edit(index, body)),
+            edit,
         )
     }
 
@@ -198,8 +219,11 @@ impl Editor {
         mut selection: Selection,
     ) -> Result<bool, RefusedChange> {
         let mut edited = edited;
-        edited.edit(Scene::follow_instances);
-        selection.retain(|item| edited.contains(item));
+        edited.edit(|scene| {
+            scene.free_lost_instances();
+            scene.follow_instances();
+        });
+        edited.clip(&mut selection);
         let Some(difference) = Difference::between(&self.edited, &edited) else {
             let is_new = self.selection != selection;
             self.selection = selection;
@@ -305,6 +329,9 @@ impl Editor {
     ) -> Result<bool, RefusedChange> {
         if matches!(outcome, Ok(true)) {
             self.open_at(label, before);
+            if self.selection.part().is_some() {
+                self.edited.clip(&mut self.selection);
+            }
             self.revision += 1;
         } else if let Some(before) = before {
             // An equal scene, but the one that others hold: they see at once that nothing is new.

@@ -14,3 +14,4 @@ mod instances;
 mod join;
 mod materials;
 mod monkey;
+mod parts;

@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
-use catoptric_editor::{Action, ActionError, Editor, Item, NewBodyPlacement, Selection, navigate};
+use catoptric_editor::{
+    Action, ActionError, Editor, Item, NewBodyPlacement, PartPath, PartSlot, Selection, navigate,
+};
 use catoptric_scene::{Example, Material, MaterialChoice, Phong, Scene, ScenePart, Shape, ShapeKind};
 use glam::DVec3;
 
@@ -76,6 +78,11 @@ impl Chance {
         }
     }
 
+    /// A way to a part, mostly to none.
+    fn path(&mut self) -> PartPath {
+        PartPath::by((0..self.below(3)).map(|_| self.below(3))).unwrap()
+    }
+
     fn text(&mut self, editor: &Editor) -> String {
         match self.below(5) {
             0 => "format = 3".to_owned(),
@@ -86,7 +93,7 @@ impl Chance {
 
     fn action(&mut self, editor: &Editor) -> Action {
         let scene = editor.scene();
-        match self.below(44) {
+        match self.below(50) {
             0 | 1 => {
                 let placement =
                     NewBodyPlacement { size: self.number(), ..NewBodyPlacement::at(self.vector()) };
@@ -125,9 +132,18 @@ impl Chance {
             31 => Action::RemoveUnusedMaterials,
             32 | 33 => Action::Join { shape: ShapeKind::ALL[self.below(17)], name: self.name() },
             34 => Action::TakeApart,
-            35 | 36 => Action::DuplicateAsInstance,
-            37 => Action::MakeOwn,
-            38..=41 => Action::Undo,
+            35..=38 => Action::Undo,
+            45 | 46 => Action::DuplicateAsInstance,
+            47 => Action::MakeOwn,
+            39 => Action::SelectPart,
+            40 => Action::SelectWhole,
+            41 => Action::TakeOut(self.flag().then(|| self.below(scene.bodies.len() + 2))),
+            42 => Action::MaterialOfWhole,
+            43 => Action::RenamePart { whole: self.item(editor), part: self.path(), name: self.name() },
+            44 => {
+                let slot = PartSlot { whole: self.item(editor), within: self.path(), place: self.below(4) };
+                Action::Nest(self.flag().then_some(slot))
+            }
             _ => Action::Redo,
         }
     }
@@ -181,7 +197,12 @@ fn act(editor: &mut Editor, action: &Action) {
         Err(error) => {
             let is_foreseen = matches!(
                 error,
-                ActionError::Refused(_) | ActionError::BadText(_) | ActionError::NothingToPaste
+                ActionError::Refused(_)
+                    | ActionError::BadText(_)
+                    | ActionError::NothingToPaste
+                    | ActionError::Sheared { .. }
+                    | ActionError::TooDeep
+                    | ActionError::TooManyParts
             );
             assert!(!can || is_foreseen, "{action:?}: {error}");
             assert_eq!((editor.scene(), editor.selection()), (&scene, &selection), "{action:?}");

@@ -11,6 +11,7 @@ use std::sync::Arc;
 use super::{BodyPart, ParametricShape, each_part, each_part_mut};
 use crate::Scene;
 use crate::body::Body;
+use crate::material::MaterialChoice;
 
 pub(crate) use follow::{InstanceFault, InstanceProblem};
 
@@ -19,7 +20,8 @@ pub(crate) use follow::{InstanceFault, InstanceProblem};
 pub struct Instance {
     /// The name of that body.
     pub of: String,
-    /// Whether it has a material of its own. By default it has that of the other body.
+    /// Whether it has a material of its own. By default it has that of the other body; another one that it is given is its
+    /// own as soon as it follows that body again.
     pub has_own_material: bool,
     /// The parts of the other body.
     shared: Arc<SharedForm>,
@@ -38,6 +40,8 @@ impl PartialEq for Instance {
 struct SharedForm {
     parts: Vec<BodyPart>,
     parametric: Option<Box<ParametricShape>>,
+    /// The material of the other body. An instance that has another one was given it since, as its own.
+    material: Option<MaterialChoice>,
 }
 
 impl Instance {
@@ -63,17 +67,6 @@ impl Body {
         if let Some(instance) = self.instance.take() {
             self.parts.clone_from(&instance.shared.parts);
             self.parametric.clone_from(&instance.shared.parametric);
-        }
-    }
-
-    /// Edits the body. Another material that this gives to an instance is its own.
-    pub fn edit(&mut self, edit: impl FnOnce(&mut Self)) {
-        let material = self.instance.is_some().then(|| self.material.clone());
-        edit(self);
-        if let Some(instance) = &mut self.instance
-            && material.is_some_and(|material| material != self.material)
-        {
-            instance.has_own_material = true;
         }
     }
 

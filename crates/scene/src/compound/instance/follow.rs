@@ -204,7 +204,9 @@ impl<'s> InstanceFollower<'s> {
             }
         }
         if let Some(body) = self.scene.bodies.get(index) {
-            let shared = body.instance.as_ref().map(|instance| Arc::clone(&instance.shared));
+            // What an instance shares can be passed on, unless its material is another one.
+            let shared = body.instance.as_ref().filter(|instance| !instance.has_own_material);
+            let shared = shared.map(|instance| Arc::clone(&instance.shared));
             let original =
                 Original { count, shape: body.sized_shape(), material: body.material.clone(), shared };
             self.originals.insert(index, original);
@@ -214,7 +216,7 @@ impl<'s> InstanceFollower<'s> {
     fn update(&mut self, body: &mut Body) {
         let mut own = body.instance.take();
         if let Some(instance) = &mut own
-            && let Some((shape, material)) = self.look_up(instance)
+            && let Some((shape, material)) = self.look_up(instance, Some(&body.material))
         {
             body.shape = shape;
             body.material = material.unwrap_or_else(|| std::mem::take(&mut body.material));
@@ -222,7 +224,7 @@ impl<'s> InstanceFollower<'s> {
         body.instance = own;
         each_part_mut(&mut body.parts, &mut |part: &mut BodyPart| {
             if let Some(instance) = &mut part.instance
-                && let Some((shape, material)) = self.look_up(instance)
+                && let Some((shape, material)) = self.look_up(instance, part.material.as_ref())
             {
                 part.shape = shape;
                 part.material = material.or(part.material.take());
@@ -230,21 +232,33 @@ impl<'s> InstanceFollower<'s> {
         });
     }
 
-    /// Gives an instance the parts of its original. The shape of that, and its material unless the instance has its own.
-    fn look_up(&mut self, instance: &mut Instance) -> Option<(Shape, Option<MaterialChoice>)> {
+    /// Gives an instance, which has a material now, the parts of its original. The shape of that, and its material unless
+    /// the instance has its own.
+    fn look_up(
+        &mut self,
+        instance: &mut Instance,
+        material: Option<&MaterialChoice>,
+    ) -> Option<(Shape, Option<MaterialChoice>)> {
         let place = *self.places.get(&instance.of)?;
         let original = self.originals.get_mut(&place)?;
         let body = self.scene.bodies.get(place)?;
         let shared = original.shared.get_or_insert_with(|| {
-            let is_same =
-                instance.shared.parts == body.parts && instance.shared.parametric == body.parametric;
+            let (old, form) = (&instance.shared, body.form());
+            let is_same = old.material.as_ref() == Some(&body.material)
+                && old.parts == form.parts
+                && old.parametric.as_deref() == form.parametric();
             match is_same {
-                true => Arc::clone(&instance.shared),
-                false => {
-                    Arc::new(SharedForm { parts: body.parts.clone(), parametric: body.parametric.clone() })
-                }
+                true => Arc::clone(old),
+                false => Arc::new(SharedForm {
+                    parts: form.parts.to_vec(),
+                    parametric: form.parametric().map(|shape| Box::new(*shape)),
+                    material: Some(body.material.clone()),
+                }),
             }
         });
+        let old = instance.shared.material.as_ref();
+        let is_given = |own: &MaterialChoice| *own != original.material && old.is_some_and(|old| own != old);
+        instance.has_own_material = material.is_some_and(|own| instance.has_own_material || is_given(own));
         instance.shared = Arc::clone(shared);
         Some((original.shape, (!instance.has_own_material).then(|| original.material.clone())))
     }
