@@ -11,6 +11,7 @@ pub(crate) mod images;
 pub(crate) mod layout;
 pub(crate) mod maps;
 pub(crate) mod methods;
+pub(crate) mod refusal;
 pub(crate) mod render_choices;
 pub(crate) mod settings;
 pub(crate) mod view;

@@ -1,10 +1,9 @@
 //! The panel of values of what is selected.
 
-use catoptric_editor::{Label, RefusedChange, Selection};
+use catoptric_editor::{Label, Selection};
 use catoptric_scene::ScenePart;
 use egui::{Id, Key, ScrollArea, Ui};
 
-use crate::base::texts::Texts;
 use crate::state::context::Cx;
 
 mod body;
@@ -18,6 +17,8 @@ mod image;
 mod kinds;
 mod light;
 mod material;
+mod material_owner;
+mod part;
 mod parts;
 mod pattern;
 mod physical;
@@ -155,16 +156,4 @@ fn escape(ui: &Ui, cx: &mut Cx<'_>, memory: &mut InspectorState) {
         memory.gesture = None;
         memory.is_given_up = is_down;
     }
-}
-
-/// Why a change was refused, in the language of the window.
-pub(crate) fn explain(texts: &Texts, refused: &RefusedChange) -> String {
-    let key = match refused.problems.first().map(|problem| problem.key) {
-        Some("target") => "refused-target",
-        Some("up") => "refused-up",
-        Some("top") => "refused-axis",
-        Some("name") => "refused-name",
-        _ => "refused-range",
-    };
-    texts.get(key).to_owned()
 }

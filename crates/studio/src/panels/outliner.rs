@@ -3,14 +3,16 @@
 mod drag;
 mod keys;
 mod menu;
+mod part_row;
 mod row;
 mod rows;
+mod tree;
 
 use std::borrow::Cow;
 use std::mem;
 
-use catoptric_editor::{Action, EditedScene, Item, Selection};
-use catoptric_scene::{Body, MaterialChoice, Scene, ScenePart, ShapeKind};
+use catoptric_editor::{Action, EditedScene, Item, PartPath, Selection};
+use catoptric_scene::{Body, BodyPart, MaterialChoice, Scene, ScenePart, ShapeKind};
 use egui::accesskit::Role;
 use egui::{EventFilter, Id, Rect, ScrollArea, Sense, TextEdit, Ui, WidgetInfo, pos2, vec2};
 use egui_material_icons::{MaterialIcon, icons};
@@ -20,6 +22,7 @@ use crate::base::texts::Texts;
 use crate::base::widgets::filter::filter_field;
 use crate::state::command::{AddCommand, Command, join};
 use crate::state::context::Cx;
+pub(crate) use part_row::role as part_role;
 use rows::{OutlinerRow, OutlinerRows};
 
 /// Height of a row, points.
@@ -33,17 +36,19 @@ pub(crate) struct Outliner {
     /// Where ranges of rows begin.
     anchor: Option<Item>,
     renaming: Option<RenameField>,
-    /// The primary thing that was last brought into view.
-    shown: Option<Item>,
+    /// The primary thing that was last brought into view, with the way to the part that is meant.
+    shown: Option<(Item, PartPath)>,
     /// The body whose row was under the pointer in the last frame.
     hovered: Option<Item>,
-    /// The thing that is being dragged.
-    dragged: Option<Item>,
+    /// The thing that is being dragged, with the way to its part.
+    dragged: Option<(Item, PartPath)>,
+    checked_drop: Option<drag::CheckedDrop>,
 }
 
 /// The name that is being typed.
 struct RenameField {
     item: Item,
+    part: PartPath,
     name: String,
     /// Whether the field has had the focus yet.
     has_begun: bool,
@@ -62,12 +67,12 @@ impl Outliner {
         self.renaming = None;
     }
 
-    /// Begins to type another name for `item`.
-    pub(crate) fn rename(&mut self, edited: &EditedScene, item: Item) {
+    /// Begins to type another name for `item`, or for a part of it.
+    pub(crate) fn rename(&mut self, edited: &EditedScene, item: Item, part: PartPath) {
         if matches!(item, Item::Body(_) | Item::Light(_) | Item::Material(_)) {
-            let name = edited.name(item).to_owned();
-            self.renaming = Some(RenameField { item, name, has_begun: false, is_drawn: false });
-            self.rows.unfold(item);
+            let name = place_name(edited, (item, part)).to_owned();
+            self.renaming = Some(RenameField { item, part, name, has_begun: false, is_drawn: false });
+            self.rows.reveal(edited, item, part);
             self.shown = None;
         }
     }
@@ -76,18 +81,19 @@ impl Outliner {
 /// Draws the camera, the lights, the bodies and the materials.
 pub(crate) fn outliner_ui(ui: &mut Ui, cx: &mut Cx<'_>, outliner: &mut Outliner) {
     filter_ui(ui, cx.texts, &mut outliner.filter);
-    let renamed = outliner.renaming.as_ref().map(|renaming| renaming.item);
-    outliner.renaming.take_if(|renaming| !cx.editor.edited().contains(renaming.item));
-    let wanted = renamed.or(cx.editor.selection().primary()).filter(|item| outliner.shown != Some(*item));
-    if let Some(item) = wanted {
-        outliner.rows.unfold(item);
+    let renamed = outliner.renaming.as_ref().map(|renaming| (renaming.item, renaming.part));
+    outliner.renaming.take_if(|renaming| !has_place(cx.editor.edited(), (renaming.item, renaming.part)));
+    let meant = renamed.or_else(|| meant(cx.editor.selection()));
+    let wanted = meant.filter(|place| outliner.shown != Some(*place));
+    if let Some((item, path)) = wanted {
+        outliner.rows.reveal(cx.editor.edited(), item, path);
     }
     outliner.rows.update(cx.texts, cx.editor, &outliner.filter);
     // A filter may hide it.
-    outliner
-        .renaming
-        .take_if(|renaming| !renaming.has_begun && outliner.rows.place_of(renaming.item).is_none());
-    outliner.shown = renamed.or(cx.editor.selection().primary());
+    outliner.renaming.take_if(|renaming| {
+        !renaming.has_begun && outliner.rows.row_of((renaming.item, renaming.part)).is_none()
+    });
+    outliner.shown = meant;
 
     let rect = ui.available_rect_before_wrap();
     list_focus(ui, cx, rect);
@@ -99,7 +105,7 @@ pub(crate) fn outliner_ui(ui: &mut Ui, cx: &mut Cx<'_>, outliner: &mut Outliner)
     let count = outliner.rows.all().len();
     ScrollArea::vertical().auto_shrink(false).show_rows(ui, ROW, count, |ui, range| {
         let top = ui.max_rect().top() - range.start as f32 * ROW;
-        if let Some(place) = wanted.and_then(|item| outliner.rows.place_of(item)) {
+        if let Some(place) = wanted.and_then(|place| outliner.rows.row_of(place)) {
             let corner = pos2(ui.max_rect().left(), top + place as f32 * ROW);
             ui.scroll_to_rect(Rect::from_min_size(corner, vec2(10.0, ROW)), None);
         }
@@ -108,6 +114,7 @@ pub(crate) fn outliner_ui(ui: &mut Ui, cx: &mut Cx<'_>, outliner: &mut Outliner)
             match row {
                 OutlinerRow::Head(section, count) => row::head_ui(ui, cx, outliner, section, count),
                 OutlinerRow::Item(item) => row::item_ui(ui, cx, outliner, item),
+                OutlinerRow::Part(item, path) => part_row::part_ui(ui, cx, outliner, (item, path)),
             }
         }
         drag::drag_ui(ui, cx, outliner, top, rect);
@@ -175,8 +182,25 @@ fn click(cx: &mut Cx<'_>, outliner: &mut Outliner, item: Item, modifiers: egui::
         outliner.anchor = Some(item);
     }
     // It is in view: its row was clicked.
-    outliner.shown = selection.primary();
+    outliner.shown = meant(&selection);
     cx.editor.select(selection);
+}
+
+/// The primary thing, with the way to the part that is meant.
+fn meant(selection: &Selection) -> Option<(Item, PartPath)> {
+    selection.primary().map(|item| (item, selection.part().unwrap_or(PartPath::WHOLE)))
+}
+
+/// Whether there is such a thing, with such a part.
+fn has_place(edited: &EditedScene, (item, path): (Item, PartPath)) -> bool {
+    edited.contains(item)
+        && (path.is_whole() || body_of(edited, item).is_some_and(|body| path.part(body).is_some()))
+}
+
+/// The name of a thing or of a part of it.
+fn place_name(edited: &EditedScene, (item, path): (Item, PartPath)) -> &str {
+    let part = || body_of(edited, item).and_then(|body| path.part(body));
+    if path.is_whole() { edited.name(item) } else { part().map_or("", |part| &part.name) }
 }
 
 /// Draws the field in which a name is typed.
@@ -211,10 +235,33 @@ fn rename_ui(ui: &mut Ui, cx: &mut Cx<'_>, outliner: &mut Outliner, rect: Rect) 
     ui.memory_mut(|memory| memory.request_focus(list_id()));
 }
 
-fn take_name(cx: &mut Cx<'_>, RenameField { item, name, .. }: RenameField) {
-    if name != cx.editor.edited().name(item) {
-        cx.run(Command::Edit(Action::Rename { item, name }));
+fn take_name(cx: &mut Cx<'_>, RenameField { item, part, name, .. }: RenameField) {
+    if name != place_name(cx.editor.edited(), (item, part)) {
+        let action = match part.is_whole() {
+            true => Action::Rename { item, name },
+            false => Action::RenamePart { whole: item, part, name },
+        };
+        cx.run(Command::Edit(action));
     }
+}
+
+/// What to call a part at a place among its like: its name, or what it is.
+pub(crate) fn part_title<'a>(texts: &'a Texts, part: &'a BodyPart, place: usize) -> Cow<'a, str> {
+    if !part.name.is_empty() {
+        return Cow::Borrowed(&part.name);
+    }
+    let kind = texts.get(shape_name(part.form().body_shape().kind()));
+    Cow::Owned(texts.with("outliner-unnamed", &[("kind", kind.into()), ("number", (place + 1).into())]))
+}
+
+/// What to call a part of a thing, or the thing.
+pub(crate) fn path_title<'a>(
+    texts: &'a Texts,
+    edited: &'a EditedScene,
+    (item, path): (Item, PartPath),
+) -> Cow<'a, str> {
+    let part = body_of(edited, item).and_then(|body| path.part(body)).zip(path.place());
+    part.map_or_else(|| item_name(texts, edited, item), |(part, place)| part_title(texts, part, place))
 }
 
 /// What to call a thing: its name, or what it is.
@@ -260,12 +307,16 @@ pub(crate) fn item_icon(edited: &EditedScene, item: Item) -> MaterialIcon {
         Item::Light(_) => icons::ICON_LIGHTBULB,
         Item::Material(_) => icons::ICON_PALETTE,
         Item::Body(_) => {
-            let shape = body_of(edited, item).map_or(ShapeKind::Sphere, |body| body.body_shape().kind());
-            let command =
-                if shape.is_compound() { Command::Edit(join(shape)) } else { AddCommand::Body(shape).into() };
-            command.look().map_or(icons::ICON_CIRCLE, |look| look.icon)
+            shape_icon(body_of(edited, item).map_or(ShapeKind::Sphere, |body| body.body_shape().kind()))
         }
     }
+}
+
+/// The icon of a body or part of this shape.
+pub(crate) fn shape_icon(shape: ShapeKind) -> MaterialIcon {
+    let command =
+        if shape.is_compound() { Command::Edit(join(shape)) } else { AddCommand::Body(shape).into() };
+    command.look().map_or(icons::ICON_CIRCLE, |look| look.icon)
 }
 
 /// The color of the dot before a name: that of the surface or of the light.

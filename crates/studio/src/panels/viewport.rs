@@ -15,6 +15,8 @@ mod light_aim;
 mod menu;
 mod offscreen;
 mod overlay_lines;
+mod part_lines;
+mod part_pick;
 mod picture;
 mod pixel_pick;
 mod placing;
@@ -35,7 +37,7 @@ use egui::{
 
 use crate::base::{picture_frame, plates, theme};
 use crate::panels::maps;
-use crate::panels::outliner::{item_name, part_name};
+use crate::panels::outliner::{item_name, part_name, path_title};
 use crate::state::command::Command;
 use crate::state::context::Cx;
 use camera_navigation::CameraNavigation;
@@ -187,6 +189,9 @@ pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport)
             overlay_lines::outlines(&painter, rect, frame, palette);
         }
     }
+    if cx.settings.shows_handles {
+        part_lines::draw(&painter, &scene_view, cx, palette);
+    }
     cx.audit.update_hidden_parts(ui.ctx(), cx.live, camera);
     rays::draw(&painter, &scene_view, cx);
     over_picture(&painter, cx, viewport, &scene_view, palette);
@@ -318,6 +323,12 @@ fn tell(ui: &Ui, cx: &Cx<'_>, response: &Response) {
         let scene = cx.editor.scene();
         let names: Vec<String> =
             cx.editor.selected_parts().map(|part| part_name(cx.texts, scene, part).into_owned()).collect();
+        let names = match (cx.editor.selection().primary(), cx.editor.selection().part()) {
+            (Some(item), Some(path)) => {
+                vec![path_title(cx.texts, cx.editor.edited(), (item, path)).into_owned()]
+            }
+            _ => names,
+        };
         let label = if names.is_empty() {
             cx.t("viewport-picture").to_owned()
         } else {

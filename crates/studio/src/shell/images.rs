@@ -14,6 +14,7 @@ use crate::shell::host::{FileKind, FileQuestion};
 use crate::shell::studio::Studio;
 use crate::shell::studio::file_prompt::{FilePrompt, FilePromptState};
 use crate::state::images::{self, ImageUse};
+use crate::state::refusal;
 
 /// Asks for a picture.
 pub(crate) fn ask(studio: &mut Studio, usage: ImageUse) {
@@ -102,6 +103,6 @@ pub(crate) fn give(studio: &mut Studio, usage: ImageUse, path: &str) {
     };
     studio.editor.settle();
     if let Err(refused) = result {
-        studio.toasts.warning(inspector::explain(&studio.texts, &refused));
+        studio.toasts.warning(refusal::of_change(&studio.texts, &refused));
     }
 }

@@ -228,7 +228,7 @@ fn edit() -> Vec<MenuItem> {
     entries.extend(commands_of([edit(Action::DropToGround), edit(Action::ResetPlacement)]));
     entries.push(MenuItem::Line);
     entries.push(MenuItem::Sub("menu-join", icons::ICON_JOIN_FULL, join_ui));
-    entries.extend(commands_of([edit(Action::TakeApart)]));
+    entries.extend(commands_of([Action::TakeApart, Action::Nest(None), Action::TakeOut(None)].map(edit)));
     entries.extend(commands_of([edit(Action::DuplicateAsInstance), edit(Action::MakeOwn)]));
     entries
 }

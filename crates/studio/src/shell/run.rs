@@ -1,12 +1,12 @@
 //! Runs commands.
 
-use catoptric_editor::{Action, ActionError, navigate};
+use catoptric_editor::{Action, ActionError, PartPath, navigate};
 use egui::{Context, OutputCommand, ViewportCommand};
 
 use crate::base::shapes::shape_name;
 use crate::base::texts::Texts;
 use crate::base::theme;
-use crate::panels::{inspector, viewport};
+use crate::panels::viewport;
 use crate::shell::help::HelpTopic;
 use crate::shell::studio::Studio;
 use crate::shell::studio::dialogs::MessageDialog;
@@ -19,6 +19,7 @@ use crate::state::command::{
 };
 use crate::state::layout::{self, Pane};
 use crate::state::methods;
+use crate::state::refusal;
 
 /// Does `command`.
 pub(crate) fn run(context: &Context, studio: &mut Studio, command: Command) {
@@ -190,7 +191,8 @@ fn toggle(studio: &mut Studio, pane: Pane) {
 fn rename(studio: &mut Studio) {
     let Some(item) = studio.editor.selection().primary() else { return };
     layout::set_visible(&mut studio.layout, Pane::Outliner, true);
-    studio.panes.outliner.rename(studio.editor.edited(), item);
+    let part = studio.editor.selection().part().unwrap_or(PartPath::WHOLE);
+    studio.panes.outliner.rename(studio.editor.edited(), item, part);
 }
 
 /// Does an action; a notice gives the reason if it cannot be done.
@@ -202,27 +204,15 @@ fn apply(studio: &mut Studio, mut action: Action) {
     }
     let is_of_material = matches!(action, Action::AssignMaterial(_));
     let Err(error) = studio.editor.apply(action) else { return };
-    let key = match &error {
-        ActionError::NothingSelected if is_of_material => "refused-no-body-selected",
-        ActionError::NothingSelected => "refused-nothing-selected",
-        ActionError::Locked => "refused-locked",
-        ActionError::OneBody => "refused-one-body",
-        ActionError::Sheared { name } => {
-            studio.toasts.warning(studio.texts.with("refused-sheared", &[("name", name.as_str().into())]));
-            return;
-        }
-        ActionError::NothingToDo => return,
-        ActionError::NoSuchItem => "refused-no-such-item",
-        ActionError::EmptyName => "refused-empty-name",
-        ActionError::BadText(_) => "refused-bad-text",
-        ActionError::NothingToPaste => "refused-nothing-to-paste",
-        ActionError::Refused(refused) => {
-            let text = inspector::explain(&studio.texts, refused);
-            studio.toasts.warning(text);
-            return;
-        }
+    let no_body = is_of_material && matches!(error, ActionError::NothingSelected);
+    let refused = if no_body {
+        Some(studio.texts.get("refused-no-body-selected").to_owned())
+    } else {
+        refusal::of_action(&studio.texts, &error)
     };
-    studio.toasts.warning(studio.texts.get(key));
+    if let Some(text) = refused {
+        studio.toasts.warning(text);
+    }
 }
 
 fn copy(context: &Context, studio: &mut Studio) {

@@ -16,6 +16,7 @@ mod materials;
 mod menu;
 mod monkey;
 mod outliner;
+mod parts;
 mod render;
 mod software;
 mod sweeps;

@@ -6,6 +6,7 @@ mod handles;
 mod hands;
 mod held_keys;
 mod looking;
+mod parts;
 mod placing;
 
 use catoptric_scene::{Anchor, Scene, ScenePart};

@@ -22,6 +22,16 @@ outliner-of-material = Material “{ $material }”
 outliner-own-material = Material of its own
 outliner-drag-material = Drag it onto a body to give the body this material.
 
+# Parts of joined bodies.
+outliner-unfold = Show the parts of { $name }
+outliner-fold = Hide the parts of { $name }
+part-joined = Joined: the whole has all that lies in it.
+part-common = In common: the whole has only what lies in this part, too.
+part-remains = What remains: the other parts are taken away from it.
+part-taken-away = Taken away: the whole has nothing of what lies in it.
+part-own-material = Of a material of its own
+part-material-of-whole = Of the material of the whole
+
 # What new things are called.
 name-sphere = Sphere
 name-cube = Cube

@@ -22,6 +22,16 @@ outliner-of-material = Материал «{ $material }»
 outliner-own-material = Собственный материал
 outliner-drag-material = Перетащите на тело, чтобы назначить ему этот материал.
 
+# Части составных тел.
+outliner-unfold = Показать части: { $name }
+outliner-fold = Скрыть части: { $name }
+part-joined = Объединение: в целое входит всё, что в ней лежит.
+part-common = Пересечение: в целое входит только то, что лежит и в этой части.
+part-remains = Остаётся: из неё вычитаются остальные части.
+part-taken-away = Вычитается: в целом нет ничего из того, что в ней лежит.
+part-own-material = Из собственного материала
+part-material-of-whole = Из материала целого
+
 # Имена новых предметов.
 name-sphere = Шар
 name-cube = Куб

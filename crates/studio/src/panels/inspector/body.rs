@@ -7,7 +7,7 @@ use catoptric_scene::{Body, DishProfile, ScenePart, ShapeKind};
 use egui::{Id, Ui};
 
 use super::sheet::{NumberRow, PropertySheet, RowQuantity, SliderRail, Unit, VectorRow, VectorSpread};
-use super::{InspectorState, header, material, parts, place, reshape};
+use super::{InspectorState, header, material, part, parts, place, reshape};
 use crate::base::shapes::shape_choice;
 use crate::base::widgets::choice::{ChoiceItem, choice_ui};
 use crate::base::widgets::section::section;
@@ -117,6 +117,9 @@ static SIZE: VectorRow<Body> = VectorRow::<Body>::new(
 
 /// Draws the values of the selected bodies.
 pub(super) fn bodies_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut InspectorState) {
+    if cx.editor.selected_part().is_some() {
+        return part::part_ui(ui, cx, memory);
+    }
     let scene = Arc::clone(cx.editor.scene());
     let selected = cx.editor.selected_bodies().rev().collect();
     let chosen = header::chosen_ui(ui, cx, ScenePart::Body, selected, "several-bodies");
@@ -125,7 +128,7 @@ pub(super) fn bodies_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut InspectorStat
     let mut sheet = PropertySheet {
         primary,
         things: indices.iter().filter_map(|&index| scene.bodies.get(index)).collect(),
-        part: ScenePart::Body(first),
+        part: Some(ScenePart::Body(first)),
         subject: subject.clone(),
         id: Id::unique(("inspector-body", item)),
         is_free,
@@ -144,7 +147,7 @@ pub(super) fn bodies_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut InspectorStat
     material::of_bodies_ui(ui, cx, memory, &scene, &indices, &subject);
 }
 
-fn shape_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Body>) {
+pub(super) fn shape_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Body>) {
     let texts = sheet.texts();
     let kind = sheet.primary.body_shape().kind();
     let summary = texts.get(shape_choice(kind));

@@ -1,15 +1,15 @@
 //! Materials: the kind of reflection, every coefficient, whether bodies share it, and the formula.
 
-use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
-use catoptric_editor::{Action, Editor, Label, RefusedChange};
+use catoptric_editor::{Action, Editor, Label, PartPath, RefusedChange};
 use catoptric_scene::format::keys;
 use catoptric_scene::{Image, Material, MaterialChoice, Mirror, Model, Phong, Scene, ScenePart};
 use egui::{Button, ComboBox, Id, TextStyle, Ui, vec2};
 use egui_material_icons::icons::ICON_GRID_VIEW;
 
 use super::kinds::{MEDIA, PRESETS, kind_of};
+use super::material_owner::{MaterialOwner, apply, home_of, home_of_part, homes_of, material_at};
 use super::sheet::{ColorRow, NumberRow, PropertySheet, RowQuantity, SliderRail};
 use super::symbol::Symbol;
 use super::{InspectorState, curve, energy, formula, header, pattern, physical};
@@ -133,30 +133,24 @@ fn edit_phong(material: &mut Material, edit: impl FnOnce(&mut Phong)) {
     material.as_phong_mut().map(edit);
 }
 
-/// The owner of a material: the scene's list or a body.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-enum MaterialOwner {
-    Named(usize),
-    Body(usize),
-}
-
-impl MaterialOwner {
-    fn part(self) -> ScenePart {
-        match self {
-            Self::Named(index) => ScenePart::Material(index),
-            Self::Body(index) => ScenePart::Body(index),
-        }
-    }
-}
-
 /// The edited materials, the primary one first.
 #[derive(Clone, Copy)]
 struct MaterialGroup<'s> {
     homes: &'s [MaterialOwner],
-    /// The bodies that are made of them; none when the material itself is selected.
-    bodies: &'s [usize],
+    /// What is made of them; `None` when the material itself is selected.
+    chooser: Option<MaterialChooser<'s>>,
     /// What is edited, for the history.
     subject: &'s str,
+}
+
+/// Bodies that are made of a material, or a part that is.
+#[derive(Clone, Copy)]
+struct MaterialChooser<'s> {
+    /// The bodies; none for a part.
+    bodies: &'s [usize],
+    /// The material of the primary one; `None` for a part that is made of what the whole is.
+    choice: Option<&'s MaterialChoice>,
+    is_free: bool,
 }
 
 /// Draws the values of a named material.
@@ -176,7 +170,7 @@ pub(super) fn named_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut InspectorState
         cx,
         memory,
         &scene,
-        &MaterialGroup { homes: &[MaterialOwner::Named(index)], bodies: &[], subject: name },
+        &MaterialGroup { homes: &[MaterialOwner::Named(index)], chooser: None, subject: name },
     );
 }
 
@@ -195,19 +189,44 @@ pub(super) fn of_bodies_ui(
         _ => None,
     };
     let subject = own.as_deref().unwrap_or(subject);
-    sheet_ui(ui, cx, memory, scene, &MaterialGroup { homes: &homes, bodies, subject });
+    let first = bodies.first().and_then(|index| Some((*index, scene.bodies.get(*index)?)));
+    let chooser = first.map(|(index, body)| MaterialChooser {
+        bodies,
+        choice: Some(&body.material),
+        is_free: !ScenePart::Body(index).is_locked(scene),
+    });
+    sheet_ui(ui, cx, memory, scene, &MaterialGroup { homes: &homes, chooser, subject });
 }
 
-/// Where the materials of some bodies are kept, each once.
-fn homes_of(scene: &Scene, bodies: &[usize]) -> Vec<MaterialOwner> {
-    let named: HashMap<&str, usize> =
-        scene.materials.iter().enumerate().map(|(index, named)| (named.name.as_str(), index)).collect();
-    let mut seen = HashSet::new();
-    let home = |&index: &usize| match &scene.bodies.get(index)?.material {
-        MaterialChoice::Inline(_) => Some(MaterialOwner::Body(index)),
-        MaterialChoice::Named(name) => named.get(name.as_str()).map(|&index| MaterialOwner::Named(index)),
+/// Draws the material of a part: its own, or the notice that it is that of the whole.
+pub(super) fn of_part_ui(
+    ui: &mut Ui,
+    cx: &mut Cx<'_>,
+    memory: &mut InspectorState,
+    (index, path): (usize, PartPath),
+    subject: &str,
+) {
+    let scene = Arc::clone(cx.editor.scene());
+    let Some((body, part)) = scene.bodies.get(index).and_then(|body| Some((body, path.part(body)?))) else {
+        return;
     };
-    bodies.iter().filter_map(home).filter(|&home| seen.insert(home)).collect()
+    let choice = part.material.as_ref();
+    let chooser = MaterialChooser { bodies: &[], choice, is_free: !body.locked };
+    if let Some(home) = home_of_part(&scene, index, path) {
+        let own = match home {
+            MaterialOwner::Named(named) => Some(part_name(cx.texts, &scene, ScenePart::Material(named))),
+            MaterialOwner::Body(_) | MaterialOwner::Part(..) => None,
+        };
+        let subject = own.as_deref().unwrap_or(subject);
+        let group = MaterialGroup { homes: &[home], chooser: Some(chooser), subject };
+        return sheet_ui(ui, cx, memory, &scene, &group);
+    }
+    let texts = cx.texts;
+    let summary = texts.get("material-of-whole");
+    section(ui, "material", texts.get("section-material"), summary, chooser.is_free, |ui| {
+        share_ui(ui, cx, &scene, &chooser);
+        header::hint(ui, texts.get("part-material-hint"));
+    });
 }
 
 fn used_by(cx: &Cx<'_>, scene: &Scene, name: &str) -> String {
@@ -233,19 +252,22 @@ fn natural_width(ui: &Ui, text: &str) -> f32 {
 }
 
 /// Whose material it is: a list of the shared ones, and buttons that share it or make it the body's own.
-fn share_ui(ui: &mut Ui, cx: &mut Cx<'_>, scene: &Scene, bodies: &[usize], choice: &MaterialChoice) {
+fn share_ui(ui: &mut Ui, cx: &mut Cx<'_>, scene: &Scene, chooser: &MaterialChooser<'_>) {
     let texts = cx.texts;
+    let MaterialChooser { bodies, choice, .. } = *chooser;
+    let is_part = bodies.is_empty();
     let is_mixed = bodies.iter().filter_map(|&index| scene.bodies.get(index)).any(|body| {
         match (&body.material, choice) {
-            (MaterialChoice::Named(a), MaterialChoice::Named(b)) => a != b,
-            (MaterialChoice::Inline(_), MaterialChoice::Inline(_)) => false,
+            (MaterialChoice::Named(a), Some(MaterialChoice::Named(b))) => a != b,
+            (MaterialChoice::Inline(_), Some(MaterialChoice::Inline(_))) => false,
             _ => true,
         }
     });
     let (shown, is_own) = match choice {
         _ if is_mixed => (texts.get("material-mixed"), false),
-        MaterialChoice::Named(name) => (name.as_str(), false),
-        MaterialChoice::Inline(_) => (texts.get("material-own"), true),
+        None => (texts.get("material-of-whole"), false),
+        Some(MaterialChoice::Named(name)) => (name.as_str(), false),
+        Some(MaterialChoice::Inline(_)) => (texts.get("material-own"), true),
     };
     let mut action = None;
     let key = if is_own { "material-share" } else { "material-make-own" };
@@ -263,11 +285,17 @@ fn share_ui(ui: &mut Ui, cx: &mut Cx<'_>, scene: &Scene, bodies: &[usize], choic
         let room = ui.available_width() - if is_beside { button_width + GAP } else { 0.0 };
         let combo = ComboBox::from_id_salt("material").selected_text(shown).truncate();
         let list = combo.width(room).show_ui(ui, |ui| {
+            let is_whole = choice.is_none();
+            if is_part && ui.selectable_label(is_whole, texts.get("material-of-whole")).clicked() && !is_whole
+            {
+                action = Some(Action::MaterialOfWhole);
+            }
             if ui.selectable_label(is_own, texts.get("material-own")).clicked() && !is_own {
                 action = Some(Action::MakeMaterialUnique);
             }
             for named in &scene.materials {
-                let is_it = !is_mixed && matches!(choice, MaterialChoice::Named(name) if *name == named.name);
+                let is_it =
+                    !is_mixed && matches!(choice, Some(MaterialChoice::Named(name)) if *name == named.name);
                 if ui.selectable_label(is_it, &named.name).clicked() && !is_it {
                     action = Some(Action::AssignMaterial(MaterialChoice::Named(named.name.clone())));
                 }
@@ -289,7 +317,7 @@ fn share_ui(ui: &mut Ui, cx: &mut Cx<'_>, scene: &Scene, bodies: &[usize], choic
     if let Some(action) = action {
         cx.run(Command::Edit(action));
     }
-    if let (MaterialChoice::Named(name), false) = (choice, is_mixed) {
+    if let (Some(MaterialChoice::Named(name)), false) = (choice, is_mixed) {
         header::hint(ui, &used_by(cx, scene, name));
     }
 }
@@ -302,31 +330,30 @@ fn sheet_ui(
     scene: &Arc<Scene>,
     made: &MaterialGroup<'_>,
 ) {
-    let MaterialGroup { homes, bodies, subject } = *made;
+    let MaterialGroup { homes, chooser, subject } = *made;
     let things: Vec<&Material> = homes.iter().filter_map(|&home| material_at(scene, home)).collect();
     let (Some(&primary), Some(home)) = (things.first(), homes.first()) else { return };
-    let first = bodies.first().copied();
-    let owner = cx.editor.edited().item(home.part());
+    let owner = home.key(cx.editor.edited());
     let mut sheet = PropertySheet {
         primary,
         things,
-        part: home.part(),
+        part: Some(home.part()).filter(|_| !matches!(home, MaterialOwner::Part(..))),
         subject: subject.to_owned(),
         id: Id::unique(("inspector-material", owner)),
-        is_free: first.is_none_or(|index| !ScenePart::Body(index).is_locked(scene)),
+        is_free: chooser.is_none_or(|chooser| chooser.is_free),
         apply: &|editor, label, change| apply(editor, homes, label, change),
         cx,
         memory,
     };
     let texts = sheet.texts();
-    match first.and_then(|index| scene.bodies.get(index)) {
-        Some(body) => {
-            let summary = match &body.material {
-                MaterialChoice::Named(name) => name.as_str(),
-                MaterialChoice::Inline(_) => texts.get("material-own"),
+    match chooser {
+        Some(chooser) => {
+            let summary = match chooser.choice {
+                Some(MaterialChoice::Named(name)) => name.as_str(),
+                _ => texts.get("material-own"),
             };
             section(ui, "material", texts.get("section-material"), summary, sheet.is_free, |ui| {
-                share_ui(ui, sheet.cx, scene, bodies, &body.material);
+                share_ui(ui, sheet.cx, scene, &chooser);
                 rows_ui(ui, &mut sheet, homes);
             });
         }
@@ -377,7 +404,7 @@ fn ground_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>) {
 fn change_model(sheet: &mut PropertySheet<'_, '_, Material>, homes: &[MaterialOwner], model: Model) {
     let replaced = &mut sheet.memory.replaced;
     let edited = sheet.cx.editor.edited();
-    let owners = homes.iter().filter_map(|home| edited.item(home.part()));
+    let owners = homes.iter().filter_map(|home| home.key(edited));
     let changed: Vec<Material> =
         owners.zip(&sheet.things).map(|(owner, material)| replaced.replace(owner, material, model)).collect();
     sheet.change("model", "edit-model", |place, material| {
@@ -385,62 +412,6 @@ fn change_model(sheet: &mut PropertySheet<'_, '_, Material>, homes: &[MaterialOw
             material.clone_from(changed);
         }
     });
-}
-
-/// Where the material of a body is kept.
-fn home_of(scene: &Scene, body: usize) -> Option<MaterialOwner> {
-    match &scene.bodies.get(body)?.material {
-        MaterialChoice::Inline(_) => Some(MaterialOwner::Body(body)),
-        MaterialChoice::Named(name) => {
-            scene.materials.iter().position(|named| named.name == *name).map(MaterialOwner::Named)
-        }
-    }
-}
-
-fn material_at(scene: &Scene, home: MaterialOwner) -> Option<&Material> {
-    match home {
-        MaterialOwner::Named(index) => scene.materials.get(index).map(|named| &named.material),
-        MaterialOwner::Body(index) => match &scene.bodies.get(index)?.material {
-            MaterialChoice::Inline(material) => Some(material),
-            MaterialChoice::Named(_) => None,
-        },
-    }
-}
-
-fn apply(
-    editor: &mut Editor,
-    homes: &[MaterialOwner],
-    label: Label,
-    change: &mut dyn FnMut(usize, &mut Material),
-) -> Result<bool, RefusedChange> {
-    match homes {
-        [MaterialOwner::Named(index)] => {
-            editor.change_material(*index, label, |material| change(0, material))
-        }
-        [MaterialOwner::Body(index)] => editor.change_body(*index, label, |body| {
-            if let MaterialChoice::Inline(material) = &mut body.material {
-                change(0, material);
-            }
-        }),
-        _ => editor.change(label, |scene| {
-            for (place, home) in homes.iter().enumerate() {
-                let material = match *home {
-                    MaterialOwner::Named(index) => {
-                        scene.materials.get_mut(index).map(|named| &mut named.material)
-                    }
-                    MaterialOwner::Body(index) => {
-                        match scene.bodies.get_mut(index).map(|body| &mut body.material) {
-                            Some(MaterialChoice::Inline(material)) => Some(&mut **material),
-                            _ => None,
-                        }
-                    }
-                };
-                if let Some(material) = material {
-                    change(place, material);
-                }
-            }
-        }),
-    }
 }
 
 fn kinds_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>) {

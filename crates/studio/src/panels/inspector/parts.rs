@@ -24,7 +24,7 @@ pub(super) fn parts_ui(ui: &mut Ui, texts: &Texts, parts: &[BodyPart]) {
         let color = theme::palette(ui.visuals()).weak;
         ui.label(RichText::new(texts.with("parts-more", &[("count", more.into())])).color(color));
     }
-    hint(ui, texts.get("parts-hint"));
+    hint(ui, texts.get(if parts.len() == 1 { "parts-alone" } else { "parts-hint" }));
 }
 
 /// A line for each part: how deep it lies, its name or its shape, and the shared material that it has of its own.

@@ -2,17 +2,18 @@
 
 use std::collections::HashMap;
 
-use catoptric_editor::Item;
 use catoptric_scene::{Material, Model};
+
+use super::material_owner::OwnerKey;
 
 /// The last material of each model that an owner had, in the open document.
 #[derive(Default)]
-pub(crate) struct ReplacedMaterials(HashMap<(Item, Model), Material>);
+pub(crate) struct ReplacedMaterials(HashMap<(OwnerKey, Model), Material>);
 
 impl ReplacedMaterials {
     /// The material of an owner in another model: with the numbers that it last had in it, but for those that the
     /// present model has too. The present material is remembered.
-    pub(super) fn replace(&mut self, owner: Item, material: &Material, model: Model) -> Material {
+    pub(super) fn replace(&mut self, owner: OwnerKey, material: &Material, model: Model) -> Material {
         if material.model() == model {
             return material.clone();
         }
@@ -28,7 +29,7 @@ impl ReplacedMaterials {
 
 #[cfg(test)]
 mod tests {
-    use catoptric_editor::Editor;
+    use catoptric_editor::{Editor, PartPath};
     use catoptric_scene::{Body, Color, Dielectric, Phong, Scene};
 
     use super::*;
@@ -37,7 +38,8 @@ mod tests {
     fn a_model_that_comes_back_has_its_numbers_and_takes_over_newer_ones() {
         let bodies = [Body::default(), Body::default()].into();
         let editor = Editor::new(Scene { bodies, ..Scene::default() });
-        let [ball, other] = editor.edited().bodies().collect::<Vec<_>>().try_into().unwrap();
+        let owners = editor.edited().bodies().map(|body| (body, PartPath::WHOLE));
+        let [ball, other] = owners.collect::<Vec<_>>().try_into().unwrap();
         let mut replaced = ReplacedMaterials::default();
         let phong = Phong { diffuse: 0.3, specular: 0.7, tint: Color::BLACK, ..Phong::default() };
         let clear = replaced.replace(ball, &phong.clone().into(), Model::Dielectric);

@@ -15,6 +15,7 @@ use crate::base::{theme, typeset};
 use crate::panels::inspector::symbol::Symbol;
 use crate::panels::inspector::{InspectorState, RefusalNote};
 use crate::state::context::Cx;
+use crate::state::refusal;
 
 mod color;
 mod menu;
@@ -96,8 +97,8 @@ pub(crate) struct PropertySheet<'s, 'a, T> {
     pub(crate) primary: &'s T,
     /// All, the primary one first.
     pub(crate) things: Vec<&'s T>,
-    /// Where the scene has the primary one: the part, or the part around it.
-    pub(crate) part: ScenePart,
+    /// Where the scene has the primary one: the part, or the part around it. `None` for what has no addresses.
+    pub(crate) part: Option<ScenePart>,
     /// What they are called in the history.
     pub(crate) subject: String,
     /// Which things these are, for the identity of widgets.
@@ -131,7 +132,7 @@ impl<'a, T> PropertySheet<'_, 'a, T> {
                 }
             }
             Err(refused) => {
-                let text = crate::panels::inspector::explain(self.cx.texts, &refused);
+                let text = refusal::of_change(self.cx.texts, &refused);
                 self.memory.note = Some(RefusalNote { id: self.id, key, text });
             }
         }

@@ -112,7 +112,7 @@ pub(super) fn environment_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Inspecto
     let mut sheet = PropertySheet {
         primary: &scene.environment,
         things: vec![&scene.environment],
-        part: ScenePart::Environment,
+        part: Some(ScenePart::Environment),
         subject: String::new(),
         id: Id::unique("inspector-environment"),
         is_free: true,
@@ -158,7 +158,7 @@ pub(super) fn tracing_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut InspectorSta
     let mut sheet = PropertySheet {
         primary: &scene.tracing,
         things: vec![&scene.tracing],
-        part: ScenePart::Tracing,
+        part: Some(ScenePart::Tracing),
         subject: String::new(),
         id: Id::unique("inspector-tracing"),
         is_free: true,

@@ -29,6 +29,34 @@ pub(super) fn item_menu(response: &Response, cx: &mut Cx<'_>, thing: Item) {
     cx.commands.append(&mut commands);
 }
 
+/// The menu of the row of a part.
+pub(super) fn part_menu(response: &Response, cx: &mut Cx<'_>) {
+    let edit = Command::Edit;
+    let groups: [Vec<Command>; 4] = [
+        vec![SelectionCommand::Rename.into(), edit(Action::Duplicate)],
+        [SelectionCommand::Cut, SelectionCommand::Copy, SelectionCommand::Paste].map(Command::from).into(),
+        [Action::MoveUp, Action::MoveDown, Action::TakeOut(None), Action::ResetPlacement].map(edit).into(),
+        [Action::ShareMaterial, Action::MakeMaterialUnique, Action::MaterialOfWhole].map(edit).into(),
+    ];
+    let mut commands = Vec::new();
+    Popup::context_menu(response).style(dress_menu as fn(&mut Style)).show(|ui| {
+        ui.set_min_width(220.0);
+        for command in groups.iter().flat_map(|group| group.iter().map(Some).chain([None])) {
+            let Some(command) = command else {
+                ui.separator();
+                continue;
+            };
+            if item(ui, cx.situation(), command) {
+                commands.push(command.clone());
+            }
+        }
+        if item(ui, cx.situation(), &Command::Edit(Action::Delete)) {
+            commands.push(Command::Edit(Action::Delete));
+        }
+    });
+    cx.commands.append(&mut commands);
+}
+
 /// What can be done to a thing, but deleting it.
 fn groups(thing: Item) -> Vec<Vec<Command>> {
     let edit = Command::Edit;
@@ -50,7 +78,13 @@ fn groups(thing: Item) -> Vec<Vec<Command>> {
     }
     if matches!(thing, Item::Body(_)) {
         groups.push(vec![edit(Action::DropToGround), edit(Action::ResetPlacement)]);
-        groups.push(JOINS.into_iter().chain([Action::TakeApart]).map(edit).collect());
+        groups.push(
+            JOINS
+                .into_iter()
+                .chain([Action::TakeApart, Action::Nest(None), Action::TakeOut(None)])
+                .map(edit)
+                .collect(),
+        );
         groups.push(vec![edit(Action::DuplicateAsInstance), edit(Action::MakeOwn)]);
         groups.push(vec![edit(Action::ShareMaterial), edit(Action::MakeMaterialUnique)]);
     }

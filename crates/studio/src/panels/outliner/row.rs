@@ -1,6 +1,6 @@
 //! Draws a row of the tree, with its buttons and drags.
 
-use catoptric_editor::{Action, Item, Selection};
+use catoptric_editor::{Action, Item, PartPath, Selection};
 use egui::accesskit::Role;
 use egui::{Color32, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, Ui, Vec2, WidgetInfo};
 use egui::{pos2, vec2};
@@ -8,8 +8,8 @@ use egui_material_icons::{MaterialIcon, icons};
 
 use super::rows::OutlinerSection;
 use super::{
-    Outliner, ROW, body_of, click, drag, item_color, item_icon, item_name, list_id, menu, rename_ui,
-    shared_material,
+    Outliner, ROW, body_of, click, drag, item_color, item_icon, item_name, list_id, meant, menu, part_row,
+    rename_ui, shared_material,
 };
 use crate::base::theme;
 use crate::base::widgets::{icon_button, paint_icon, paint_line};
@@ -17,7 +17,7 @@ use crate::state::command::Command;
 use crate::state::context::Cx;
 
 /// Where the names of things begin, points from the left.
-const INDENT: f32 = 14.0;
+pub(super) const INDENT: f32 = 14.0;
 
 /// Draws the head of a section: a click folds it, the button adds something to it.
 pub(super) fn head_ui(
@@ -80,11 +80,13 @@ pub(super) fn item_ui(ui: &mut Ui, cx: &mut Cx<'_>, outliner: &mut Outliner, ite
     let texts = cx.texts;
     let name = item_name(texts, &edited, item);
     let is_selected = cx.editor.selection().contains(item);
-    info(ui, &response, &name, is_selected, item);
+    let is_unfolded = part_row::is_unfolded(&edited, outliner, (item, PartPath::WHOLE));
+    info(ui, &response, &name, (is_selected, is_unfolded), item);
     let is_hovered = response.contains_pointer() && outliner.dragged.is_none();
     paint_background(ui, cx, rect, item, is_selected, is_hovered);
 
     let left = rect.left() + if OutlinerSection::of(item).is_some() { INDENT } else { 0.0 };
+    part_row::triangle_ui(ui, cx, outliner, (rect, left), (item, PartPath::WHOLE));
     let is_hidden = edited.is_hidden(item);
     let palette = theme::palette(ui.visuals());
     let color = if is_hidden { palette.weak } else { palette.text };
@@ -103,7 +105,8 @@ pub(super) fn item_ui(ui: &mut Ui, cx: &mut Cx<'_>, outliner: &mut Outliner, ite
         (false, false) => 4.0,
     };
     let text = Rect::from_min_max(pos2(text_left, rect.top()), rect.max - vec2(flags, 0.0));
-    let is_renamed = outliner.renaming.as_ref().is_some_and(|renaming| renaming.item == item);
+    let is_renamed =
+        outliner.renaming.as_ref().is_some_and(|renaming| renaming.item == item && renaming.part.is_whole());
     if is_renamed {
         let field = Rect::from_min_max(text.min - vec2(5.0, 0.0), pos2(rect.right() - 4.0, rect.bottom()));
         rename_ui(ui, cx, outliner, field);
@@ -121,17 +124,27 @@ pub(super) fn item_ui(ui: &mut Ui, cx: &mut Cx<'_>, outliner: &mut Outliner, ite
     menu::item_menu(&response, cx, item);
 }
 
-fn info(ui: &Ui, response: &Response, name: &str, is_selected: bool, item: Item) {
+fn info(
+    ui: &Ui,
+    response: &Response,
+    name: &str,
+    (is_selected, is_unfolded): (bool, Option<bool>),
+    item: Item,
+) {
     response.widget_info(|| WidgetInfo::labeled(Role::TreeItem, true, name));
     ui.ctx().accesskit_node_builder(response.id, |node| {
         node.set_selected(is_selected);
         node.set_level(if OutlinerSection::of(item).is_some() { 2 } else { 1 });
+        if let Some(is_unfolded) = is_unfolded {
+            node.set_expanded(is_unfolded);
+        }
     });
 }
 
 fn paint_background(ui: &Ui, cx: &Cx<'_>, rect: Rect, item: Item, is_selected: bool, is_hovered: bool) {
     let palette = theme::palette(ui.visuals());
-    let is_primary = cx.editor.selection().primary() == Some(item);
+    // While a part is meant, its row is the strongest.
+    let is_primary = meant(cx.editor.selection()) == Some((item, PartPath::WHOLE));
     let fill = match (is_selected, is_hovered) {
         (true, _) if is_primary => palette.selection,
         (true, _) => palette.selection.gamma_multiply(0.6),
@@ -219,7 +232,7 @@ fn tip_content(ui: &mut Ui, cx: &Cx<'_>, item: Item, name: &str) {
 fn act(ui: &Ui, cx: &mut Cx<'_>, outliner: &mut Outliner, item: Item, response: &Response) {
     if response.double_clicked() {
         cx.editor.select(item);
-        outliner.rename(cx.editor.edited(), item);
+        outliner.rename(cx.editor.edited(), item, PartPath::WHOLE);
         return;
     }
     if response.clicked() {
@@ -227,10 +240,10 @@ fn act(ui: &Ui, cx: &mut Cx<'_>, outliner: &mut Outliner, item: Item, response: 
         ui.memory_mut(|memory| memory.request_focus(list_id()));
     }
     if response.secondary_clicked() && !cx.editor.selection().contains(item) {
-        outliner.shown = Some(item);
+        outliner.shown = Some((item, PartPath::WHOLE));
         cx.editor.select(Selection::one(item));
     }
     if response.drag_started_by(egui::PointerButton::Primary) && OutlinerSection::of(item).is_some() {
-        drag::start(cx, outliner, item);
+        drag::start(cx, outliner, (item, PartPath::WHOLE));
     }
 }

@@ -1,9 +1,10 @@
 //! The rows of the tree, as a flat list: only the visible ones are drawn.
 
-use catoptric_editor::{EditedScene, Editor, Item, Selection};
+use catoptric_editor::{EditedScene, Editor, Item, PartPath, Selection};
 use catoptric_scene::Scene;
 
-use super::item_name;
+use super::tree::UnfoldedParts;
+use super::{body_of, item_name, part_title};
 use crate::base::texts::{Language, Texts};
 
 /// A part of the tree that can be folded.
@@ -52,6 +53,19 @@ pub(super) enum OutlinerRow {
     Head(OutlinerSection, usize),
     /// A thing.
     Item(Item),
+    /// A part of a joined body.
+    Part(Item, PartPath),
+}
+
+impl OutlinerRow {
+    /// The thing of a row, with the way to its part.
+    pub(super) const fn place(self) -> Option<(Item, PartPath)> {
+        match self {
+            Self::Head(..) => None,
+            Self::Item(item) => Some((item, PartPath::WHOLE)),
+            Self::Part(item, path) => Some((item, path)),
+        }
+    }
 }
 
 /// The rows, rebuilt when something has changed.
@@ -59,6 +73,7 @@ pub(super) enum OutlinerRow {
 pub(super) struct OutlinerRows {
     rows: Vec<OutlinerRow>,
     folded: Vec<OutlinerSection>,
+    unfolded: UnfoldedParts,
     /// What the rows were found for.
     made_for: Option<(*const Scene, u64, String, Language, Vec<OutlinerSection>)>,
 }
@@ -77,6 +92,26 @@ impl OutlinerRows {
         self.folded.retain(|other| *other != section);
         if folded {
             self.folded.push(section);
+        }
+    }
+
+    /// Whether the parts of a joined body or part are shown.
+    pub(super) fn shows_parts(&self, item: Item, path: PartPath) -> bool {
+        self.unfolded.contains(item, path)
+    }
+
+    /// Shows the parts of a joined body or part, or no longer does.
+    pub(super) fn show_parts(&mut self, edited: &EditedScene, place: (Item, PartPath), is_unfolded: bool) {
+        self.unfolded.set(edited, place, is_unfolded);
+        self.made_for = None;
+    }
+
+    /// Unfolds all that is around a part.
+    pub(super) fn reveal(&mut self, edited: &EditedScene, item: Item, path: PartPath) {
+        self.unfold(item);
+        if !path.is_whole() {
+            self.unfolded.reveal(edited, item, path);
+            self.made_for = None;
         }
     }
 
@@ -100,6 +135,7 @@ impl OutlinerRows {
         if self.made_for.as_ref() == Some(&key) {
             return;
         }
+        self.unfolded.follow(edited);
         let filter = filter.trim().to_lowercase();
         let fits = |item: &Item| {
             filter.is_empty() || item_name(texts, edited, *item).to_lowercase().contains(&filter)
@@ -110,8 +146,18 @@ impl OutlinerRows {
         for section in OutlinerSection::ALL {
             let head = self.rows.len();
             self.rows.push(OutlinerRow::Head(section, 0));
-            self.rows.extend(section.items(edited).filter(fits).map(OutlinerRow::Item));
-            let count = self.rows.len() - head - 1;
+            let mut count = 0;
+            for item in section.items(edited) {
+                let row = self.rows.len();
+                self.rows.push(OutlinerRow::Item(item));
+                self.push_parts(texts, edited, (item, PartPath::WHOLE), &filter);
+                // A body with a part that is looked for is shown around it.
+                if fits(&item) || self.rows.len() > row + 1 {
+                    count += 1;
+                } else {
+                    self.rows.truncate(row);
+                }
+            }
             if let Some(row) = self.rows.get_mut(head) {
                 *row = OutlinerRow::Head(section, count);
             }
@@ -122,14 +168,44 @@ impl OutlinerRows {
         self.made_for = Some(key);
     }
 
-    /// The things in the order of their rows.
-    pub(super) fn items(&self) -> impl DoubleEndedIterator<Item = Item> {
-        self.rows.iter().filter_map(|row| if let OutlinerRow::Item(item) = row { Some(*item) } else { None })
+    /// Adds the rows of the parts of a joined body or part: those that are unfolded, with a filter those it finds.
+    fn push_parts(
+        &mut self,
+        texts: &Texts,
+        edited: &EditedScene,
+        (item, path): (Item, PartPath),
+        filter: &str,
+    ) {
+        let Some(body) = body_of(edited, item) else { return };
+        let Some(parts) = path.parts(body) else { return };
+        if filter.is_empty() && !self.shows_parts(item, path) {
+            return;
+        }
+        for (place, part) in parts.iter().enumerate() {
+            let Some(own) = path.child(place) else { return };
+            let row = self.rows.len();
+            self.rows.push(OutlinerRow::Part(item, own));
+            self.push_parts(texts, edited, (item, own), filter);
+            let fits = || part_title(texts, part, place).to_lowercase().contains(filter);
+            if self.rows.len() == row + 1 && !fits() {
+                self.rows.truncate(row);
+            }
+        }
+    }
+
+    /// The things and parts in the order of their rows.
+    pub(super) fn places(&self) -> impl DoubleEndedIterator<Item = (Item, PartPath)> {
+        self.rows.iter().filter_map(|row| row.place())
     }
 
     /// The row of a thing.
     pub(super) fn place_of(&self, item: Item) -> Option<usize> {
         self.rows.iter().position(|row| *row == OutlinerRow::Item(item))
+    }
+
+    /// The row of a thing or of a part of it.
+    pub(super) fn row_of(&self, (item, path): (Item, PartPath)) -> Option<usize> {
+        self.rows.iter().position(|row| row.place() == Some((item, path)))
     }
 
     /// Everything from one row to another, the latter being the primary thing. What is there only once is not taken
@@ -186,7 +262,7 @@ mod tests {
         assert_eq!(rows.place_of(mirror), None);
         assert!(rows.all().contains(&OutlinerRow::Head(OutlinerSection::Bodies, 3)));
         rows.update(&texts, &editor, "BALL");
-        assert_eq!(rows.items().collect::<Vec<_>>(), [ball, mirror]);
+        assert_eq!(rows.places().map(|place| place.0).collect::<Vec<_>>(), [ball, mirror]);
         assert!(rows.all().contains(&OutlinerRow::Head(OutlinerSection::Bodies, 2)));
         rows.unfold(floor);
         rows.update(&texts, &editor, "");

@@ -33,7 +33,7 @@ pub(crate) fn menu_ui(ui: &mut Ui, cx: &mut Cx<'_>) {
         items(ui, cx, edits);
         ui.separator();
         items(ui, cx, JOINS.map(Command::Edit));
-        let edits = [Action::TakeApart, Action::DuplicateAsInstance, Action::MakeOwn];
+        let edits = [Action::TakeApart, Action::TakeOut(None), Action::DuplicateAsInstance, Action::MakeOwn];
         items(ui, cx, edits.map(Command::Edit));
         ui.separator();
     }

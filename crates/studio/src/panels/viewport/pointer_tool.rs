@@ -1,17 +1,18 @@
 //! The pointer in the picture: selecting, dragging things and handles, turning the view.
 
-use catoptric_editor::{Item, Selection};
+use catoptric_editor::{Item, PartPath, Selection};
 use catoptric_scene::Camera;
 use egui::{CursorIcon, Key, Modifiers, PointerButton, Pos2, Response, Ui, Vec2};
 use glam::DVec2;
 
 use super::camera_navigation::{self, CameraNavigation};
-use super::drag_payload::{DragPayload, place_of};
+use super::drag_payload::{DragPayload, place_of, place_of_part};
 use super::gizmo::change::GizmoChange;
 use super::gizmo::handle_drag::{DragAmount, DragPrecision, HandleDrag};
 use super::gizmo::{Gizmo, GizmoHandle};
 use super::item_drag::ItemDrag;
 use super::light_aim::LightAim;
+use super::part_pick::{next_part, part_at};
 use super::scene_view::{PointerTarget, SceneView};
 use crate::panels::outliner::body_of;
 use crate::state::command::Tool;
@@ -237,8 +238,14 @@ impl PointerTool {
         cx.editor.settle();
         let mut selection = cx.editor.selection().clone();
         let toggles = modifiers.shift || modifiers.command || modifiers.ctrl;
+        let part = things.first().filter(|_| !toggles).and_then(|first| {
+            clicked_part(cx, scene_view, (*first, scene_view.at(pos)), (modifiers.alt, is_again))
+        });
         match things.first() {
             Some(first) if toggles => selection.toggle(*first),
+            Some(first) if part.is_some() => {
+                selection = Selection::of_part(*first, part.unwrap_or(PartPath::WHOLE));
+            }
             Some(first) => {
                 let chosen = selection.primary().filter(|_| is_again);
                 let place = things.iter().position(|thing| Some(*thing) == chosen);
@@ -325,6 +332,27 @@ impl PointerTool {
     }
 }
 
+/// The part that a click on a body selects; `None` for the whole. With Alt it is the innermost at once, else only a body
+/// that is selected alone is looked into. At the same place again, what lies behind comes after the innermost.
+fn clicked_part(
+    cx: &Cx<'_>,
+    scene_view: &SceneView,
+    (item, at): (Item, DVec2),
+    (is_deep, is_again): (bool, bool),
+) -> Option<PartPath> {
+    let body = body_of(cx.editor.edited(), item)?;
+    let hit = scene_view.body_at(at)?;
+    let met = part_at(body, hit.position)?;
+    let selection = cx.editor.selection();
+    let is_entered = selection.primary() == Some(item) && selection.len() == 1;
+    let meant = selection.part().unwrap_or(PartPath::WHOLE);
+    match (is_deep, is_entered) {
+        (true, _) => Some(met),
+        (false, true) => Some(next_part(meant, met)).filter(|next| *next != meant || !is_again),
+        (false, false) => None,
+    }
+}
+
 fn grab_or_point(is_locked: bool) -> CursorIcon {
     if is_locked { CursorIcon::PointingHand } else { CursorIcon::Grab }
 }
@@ -351,6 +379,12 @@ fn drag_item(
     if cx.editor.edited().is_locked(item) {
         return None;
     }
+    if let Some(grabbed) = grabbed.filter(|grabbed| is_meant(cx, item, *grabbed)) {
+        let lead = place_of_part(cx.editor.edited(), cx.editor.selection())?;
+        let payload = DragPayload::take(cx.editor.edited(), cx.editor.selection(), false, "edit-move")?;
+        let drag = ItemDrag::begin(grabbed, lead, &scene_view.projector, at, is_upright);
+        return Some(PointerAction::DragItem(Box::new(ActiveDrag { drag, payload, at, amount: None })));
+    }
     if cx.editor.selection().contains(item) {
         // It becomes the primary one, as it leads the others.
         let mut selection = cx.editor.selection().clone();
@@ -365,6 +399,13 @@ fn drag_item(
     let payload = DragPayload::take(edited, cx.editor.selection(), is_free, "edit-move")?;
     let drag = ItemDrag::begin(grabbed.unwrap_or(lead), lead, &scene_view.projector, at, is_upright);
     Some(PointerAction::DragItem(Box::new(ActiveDrag { drag, payload, at, amount: None })))
+}
+
+/// Whether a point of a body lies on the part that is meant.
+fn is_meant(cx: &Cx<'_>, item: Item, point: glam::DVec3) -> bool {
+    let meant = cx.editor.selection().part().filter(|_| cx.editor.selection().primary() == Some(item));
+    let met = body_of(cx.editor.edited(), item).and_then(|body| part_at(body, point));
+    met.zip(meant).is_some_and(|(met, meant)| met.is_within(meant))
 }
 
 /// Begins to aim a light by its highlight or shadow: the selected one, else the first that is visible and not locked.
@@ -415,10 +456,13 @@ pub(crate) fn gizmo(cx: &Cx<'_>) -> Option<Gizmo> {
     };
     let placed: Vec<(Item, glam::DVec3)> =
         selection.iter().filter(has_place).filter_map(|item| Some((item, place_of(edited, item)?))).collect();
-    let (primary, lead) = *placed.last()?;
-    let pivot = placed.iter().map(|(_, place)| place).sum::<glam::DVec3>() / placed.len() as f64;
+    let (primary, mut lead) = *placed.last()?;
+    let mut pivot = placed.iter().map(|(_, place)| place).sum::<glam::DVec3>() / placed.len() as f64;
+    if let Some(place) = place_of_part(edited, selection) {
+        (lead, pivot) = (place, place);
+    }
     let own = body_of(edited, primary).map(|body| {
-        let turn = body.placement.rotation();
+        let turn = selection.part().unwrap_or(PartPath::WHOLE).rotation(body);
         [turn.x_axis, turn.y_axis, turn.z_axis]
     });
     // A point has neither turns nor sizes.

@@ -11,7 +11,6 @@ use egui::Context;
 use super::{banner, close_guard};
 use crate::base::job::{Job, JobStatus};
 use crate::base::words::name_of;
-use crate::panels::inspector;
 use crate::shell::disk::{self, ForeignRefusal, OpenedScene, OverwriteRule, ReadFailure};
 use crate::shell::host::FileKind;
 use crate::shell::images;
@@ -20,6 +19,7 @@ use crate::shell::studio::dialogs::question::QuestionDialog;
 use crate::shell::studio::documents::{NextDocument, OpenPurpose, OpenTask};
 use crate::shell::studio::{Studio, file_prompt};
 use crate::state::images::ImageUse;
+use crate::state::refusal;
 
 /// Begins to read the file at `path`, to open it instead of the document. Only a file that can be opened leads to the
 /// question what becomes of changes.
@@ -109,7 +109,7 @@ fn after_revert(studio: &mut Studio, reverted: Result<(), RefusedChange>, done: 
             studio.toasts.info(text);
         }
         Err(refused) => {
-            studio.toasts.warning(inspector::explain(&studio.texts, &refused));
+            studio.toasts.warning(refusal::of_change(&studio.texts, &refused));
         }
     }
 }

@@ -106,6 +106,9 @@ pub(super) static ROWS: &[CommandRow] = rows! {
         "edit.take-apart": Edit(Action::TakeApart) => "command-take-apart", ICON_CALL_SPLIT;
         "edit.duplicate-as-instance": Edit(Action::DuplicateAsInstance) => "command-duplicate-as-instance", ICON_LINKED_SERVICES, alt(Key::D);
         "edit.make-own": Edit(Action::MakeOwn) => "command-make-own", ICON_LINK_OFF;
+        "edit.nest": Edit(Action::Nest(None)) => "command-nest", ICON_ACCOUNT_TREE;
+        "edit.take-out": Edit(Action::TakeOut(None)) => "command-take-out", ICON_CALL_SPLIT;
+        "edit.material-of-whole": Edit(Action::MaterialOfWhole) => "command-material-of-whole", ICON_LINK;
         "edit.share-material": Edit(Action::ShareMaterial) => "command-share-material", ICON_LINK;
         "edit.make-material-unique": Edit(Action::MakeMaterialUnique) => "command-make-material-unique", ICON_LINK_OFF;
         "edit.remove-unused-materials": Edit(Action::RemoveUnusedMaterials) => "command-remove-unused-materials", ICON_CLEANING_SERVICES;
@@ -116,6 +119,8 @@ pub(super) static ROWS: &[CommandRow] = rows! {
         "select.invert": Edit(Action::InvertSelection) => "command-invert-selection", ICON_INVERT_COLORS, ctrl(Key::I);
         "select.next": Edit(Action::SelectNext) => "command-select-next", ICON_ARROW_FORWARD, plain(Key::CloseBracket);
         "select.previous": Edit(Action::SelectPrevious) => "command-select-previous", ICON_ARROW_BACK, plain(Key::OpenBracket);
+        "select.part": Edit(Action::SelectPart) => "command-select-part", ICON_CHEVRON_RIGHT;
+        "select.whole": Edit(Action::SelectWhole) => "command-select-whole", ICON_GROUP_WORK;
     }
     Add: {
         "add.sphere": Add(AddCommand::Body(ShapeKind::Sphere)) => "command-add-sphere", ICON_CIRCLE;

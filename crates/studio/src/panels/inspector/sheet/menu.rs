@@ -41,7 +41,7 @@ impl<T> PropertySheet<'_, '_, T> {
 
     /// The address of the number of a row, or of one of its three numbers; `None` for one that follows from others.
     fn address(&self, what: &RowQuantity, component: Option<usize>) -> Option<ScenePath> {
-        let keys = self.cx.editor.scene().keys_of(self.part);
+        let keys = self.cx.editor.scene().keys_of(self.part?);
         let key = keys.into_iter().find(|key| Some(key.spec) == what.spec())?;
         match component {
             Some(index) => key.component(index),

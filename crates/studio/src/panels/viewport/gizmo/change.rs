@@ -1,7 +1,7 @@
 //! A rigid or scaling change of the world, and what it makes of placements.
 
 use catoptric_scene::{Anchor, Camera, Placement};
-use glam::{DMat3, DQuat, DVec3};
+use glam::{DAffine3, DMat3, DQuat, DVec3};
 
 /// A change of the dragged things by the gizmo.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,6 +55,22 @@ impl GizmoChange {
             }
         };
         Placement { anchor, scale: self.scale(start) }
+    }
+
+    /// The same change in the frame of a whole, for its parts. `around_from_world` leads there, `turn` is its rotation in
+    /// the world. In a whole that is stretched, turns and scales are those of the frame.
+    pub(crate) fn within(&self, around_from_world: DAffine3, turn: DMat3) -> Self {
+        let point = |point: DVec3| around_from_world.transform_point3(point);
+        let direction = |direction: DVec3| turn.transpose() * direction;
+        match *self {
+            Self::Move(step) => Self::Move(around_from_world.transform_vector3(step)),
+            Self::Turn { pivot, axis, radians } => {
+                Self::Turn { pivot: point(pivot), axis: direction(axis), radians }
+            }
+            Self::Scale { pivot, axes, factors } => {
+                Self::Scale { pivot: point(pivot), axes: axes.map(direction), factors }
+            }
+        }
     }
 
     /// What a camera becomes.
