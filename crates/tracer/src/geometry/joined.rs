@@ -14,10 +14,13 @@ use crate::geometry::bounds::Bounds;
 use crate::geometry::ray::{NO_BODY, RayOrigin};
 use crate::simd::{MOST_LANES, Mask as _, Width, Word as _};
 
-/// How parts are joined, in postfix order.
+/// How parts are joined.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct JoinTree {
+    /// In postfix order.
     steps: Vec<JoinStep>,
+    /// The same without negations, each after those that it looks at.
+    gates: Vec<JoinGate>,
     /// Number of parts.
     pub(crate) parts: u32,
     /// A bit for each part: whether the whole lies outside of it, as it does of what is cut away.
@@ -36,35 +39,75 @@ enum JoinStep {
     Difference,
 }
 
+/// Parts of which a point has to be on the right side: in them, or outside of what is cut away. A complement is brought
+/// down to the parts by De Morgan's laws, and gates of one kind within one another are one: most wholes have a single
+/// gate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct JoinGate {
+    /// A bit for each part.
+    pub(crate) parts: u64,
+    /// It looks at the gates before it that are one deeper and that no other has looked at.
+    pub(crate) depth: u32,
+    /// Whether a point has to be on the right side of all of these, or of any.
+    pub(crate) needs_all: bool,
+}
+
 impl JoinTree {
     /// Of a union, an intersection or a difference; the parts are in the order of [`Form::each_simple`], at most
     /// [`Shape::MAX_PARTS`].
     pub(crate) fn of(form: &Form<'_>) -> Self {
         let mut tree = Self::default();
-        tree.add(form, false);
+        tree.add(form, false, None);
         tree
     }
 
-    fn add(&mut self, form: &Form<'_>, is_inverted: bool) {
+    /// Adds what a gate looks at; returns the parts that it looks at itself.
+    fn add(&mut self, form: &Form<'_>, is_inverted: bool, gate: Option<JoinGate>) -> u64 {
         let step = match form.shape {
             Shape::Union | Shape::Group => JoinStep::Union,
             Shape::Intersection => JoinStep::Intersection,
             Shape::Difference => JoinStep::Difference,
             _ => {
-                self.inverted |= u64::from(is_inverted).checked_shl(self.parts).unwrap_or_default();
+                let bit = 1_u64.checked_shl(self.parts).unwrap_or_default();
+                self.inverted |= if is_inverted { bit } else { 0 };
                 self.parts += 1;
-                return self.steps.push(JoinStep::Part);
+                self.steps.push(JoinStep::Part);
+                return bit;
             }
         };
+        let is_any = step == JoinStep::Union || form.parts.is_empty();
+        let own = JoinGate {
+            parts: 0,
+            depth: gate.map_or(0, |around| around.depth + 1),
+            needs_all: is_any == is_inverted,
+        };
+        let around = gate.filter(|around| around.needs_all == own.needs_all);
+        let inner = around.unwrap_or(own);
+        let mut parts = 0;
         if form.parts.is_empty() {
             self.steps.push(JoinStep::Nothing);
         }
         for (number, part) in form.parts.iter().enumerate() {
-            self.add(&part.form(), is_inverted ^ (step == JoinStep::Difference && number > 0));
+            let is_cut = step == JoinStep::Difference && number > 0;
+            parts |= self.add(&part.form(), is_inverted ^ is_cut, Some(inner));
             if number > 0 {
                 self.steps.push(step);
             }
         }
+        if around.is_some() {
+            return parts;
+        }
+        self.gates.push(JoinGate { parts, ..own });
+        0
+    }
+
+    /// A bit for each part that the whole lies outside of.
+    pub(crate) fn inverted(&self) -> u64 {
+        self.inverted
+    }
+
+    pub(crate) fn gates(&self) -> &[JoinGate] {
+        &self.gates
     }
 
     /// Whether the whole lies outside of a part.
@@ -74,23 +117,19 @@ impl JoinTree {
 
     /// Whether a point lies in the whole that lies in the parts of these bits.
     pub(crate) fn holds(&self, parts: u64) -> bool {
-        // A stack of bits.
-        let (mut stack, mut left) = (0_u64, parts);
-        for step in &self.steps {
-            let top = stack & 1;
-            stack = match step {
-                JoinStep::Part => {
-                    let part = left & 1;
-                    left >>= 1;
-                    stack << 1 | part
-                }
-                JoinStep::Nothing => stack << 1,
-                JoinStep::Union => stack >> 1 | top,
-                JoinStep::Intersection => stack >> 1 & (!1 | top),
-                JoinStep::Difference => stack >> 1 & !top,
+        let right = parts ^ self.inverted;
+        // A bit for each depth: whether a gate there is open, or shut.
+        let (mut open, mut shut) = (0_u32, 0_u32);
+        for gate in &self.gates {
+            let (own, below) = (1_u32.wrapping_shl(gate.depth), 2_u32.wrapping_shl(gate.depth));
+            let is_open = match gate.needs_all {
+                true => right & gate.parts == gate.parts && shut & below == 0,
+                false => right & gate.parts != 0 || open & below != 0,
             };
+            (open, shut) = (open & !below, shut & !below);
+            *(if is_open { &mut open } else { &mut shut }) |= own;
         }
-        stack & 1 == 1
+        open & 1 == 1
     }
 
     /// The value of the whole from values of its parts.
