@@ -7,6 +7,7 @@
 pub(crate) mod bytes;
 pub(crate) mod constants;
 pub(crate) mod features;
+pub(crate) mod joined;
 pub(crate) mod materials;
 pub(crate) mod pictures;
 pub(crate) mod specialize;
@@ -118,6 +119,14 @@ pub fn shader(special: &ShaderSpecialization) -> String {
         false => include_str!("transport/media/absorption/none.wgsl"),
     });
     source.push_str(walk);
+    match special.parts {
+        0 => source.push_str(include_str!("geometry/joined/none.wgsl")),
+        parts => {
+            source.push_str(&joined::constants(parts).text());
+            source.push_str(include_str!("geometry/joined.wgsl"));
+            source.push_str(include_str!("geometry/query/joined.wgsl"));
+        }
+    }
     ALWAYS.iter().chain(if is_plain { PLAIN } else { PHYSICAL }).for_each(|part| source.push_str(part));
     source
 }
@@ -176,6 +185,7 @@ fn constants(special: &ShaderSpecialization) -> ShaderConstants {
         ("HAS_PLANES", special.has(ShapeKind::Plane)),
         ("HAS_TRANSPARENCY", special.media > 0),
         ("HAS_CHECKERS", special.checkers),
+        ("HAS_MEMBERS", special.members),
         ("ASKS_EACH_START", special.asks_each_start),
         ("ABSORBS", special.physical.has(PhysicalFeatures::ABSORBS)),
     ];

@@ -117,7 +117,6 @@ pub(crate) fn why(texts: &Texts, error: &GpuError) -> String {
         GpuError::OutOfMemory(_) | GpuError::TooLarge { .. } => "card-has-no-memory",
         GpuError::Unsupported(UnsupportedOnGpu::LongTree) => "card-has-too-many-rays",
         GpuError::Unsupported(UnsupportedOnGpu::DoublePrecision) => "card-has-no-doubles",
-        GpuError::Unsupported(UnsupportedOnGpu::JoinedBodies) => "card-has-no-joined-bodies",
         GpuError::Unsupported(UnsupportedOnGpu::EyeMedia(_) | UnsupportedOnGpu::NestedMedia) => {
             "card-has-too-many-media"
         }

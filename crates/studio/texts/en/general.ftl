@@ -31,7 +31,6 @@ card-is-lost = the card is lost.
 card-has-no-memory = the card has too little memory for this.
 card-has-too-many-rays = some pixels need too many rays.
 card-has-no-doubles = a body is so large or so flat that it needs double precision.
-card-has-no-joined-bodies = a body is joined of others.
 card-has-too-many-media = a ray is inside of too many transparent bodies at once.
 status-size-name = Size
     .tip = Width and height of the picture traced last, in pixels; smaller while something moves.

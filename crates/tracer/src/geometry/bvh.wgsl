@@ -18,6 +18,8 @@ struct StackEntry {
 struct Traversal {
     inverse: vec3<f32>,
     depth: u32,
+    // Whether what has no end is still to come, where that is a leaf.
+    has_endless: bool,
     parts: array<StackEntry, DEPTH>,
 }
 
@@ -39,12 +41,19 @@ fn traversal_from(ray: Ray) -> Traversal {
     walk.inverse = vec3(box_inverse(ray.direction.x), box_inverse(ray.direction.y), box_inverse(ray.direction.z));
     // The root: its slots are found when it is opened.
     walk.depth = 1u;
+    walk.has_endless = ENDLESS_LEAF;
     walk.parts[0] = StackEntry(0u, slots_met(0u, ray.origin, walk.inverse, INFINITY));
     return walk;
 }
 
 // The next bodies that the ray may meet before `reach`.
 fn traversal_next(walk: ptr<function, Traversal>, ray: Ray, reach: f32) -> Leaf {
+    if (*walk).has_endless {
+        (*walk).has_endless = false;
+        if frame.bounded < frame.bodies {
+            return Leaf(frame.bounded, frame.bodies - frame.bounded);
+        }
+    }
     while (*walk).depth > 0u {
         let depth = (*walk).depth;
         let part = (*walk).parts[depth - 1u];

@@ -55,6 +55,42 @@ fn meeting(index: u32, ray: Ray, media: ptr<function, Media>) -> BodyIntersectio
     return start_within(index, ray, span);
 }
 
+// Where a ray meets a body first, and what makes the surface there: the body itself, or one of its parts.
+fn first_meeting(index: u32, ray: Ray, media: ptr<function, Media>, part: ptr<function, u32>) -> BodyIntersection {
+    if is_joined(index) {
+        return joined_meeting(index, ray, media, part);
+    }
+    *part = index;
+    return meeting(index, ray, media);
+}
+
+// Which of two bodies comes first in the scene.
+fn comes_before(one: u32, other: u32) -> bool {
+    let number = scene_order[one].x;
+    let other_number = scene_order[other].x;
+    if HAS_MEMBERS {
+        let place = place_in_scene(number);
+        let other_place = place_in_scene(other_number);
+        if place != other_place {
+            return place < other_place;
+        }
+    }
+    return number < other_number;
+}
+
+// The place in the scene of the body with a number, or of what it belongs to.
+fn place_in_scene(number: u32) -> u32 {
+    if number < frame.scene_bodies {
+        return number;
+    }
+    return scene_order[frame.members + number].x;
+}
+
+// Whether a ray leaves a body that makes the surface where it leaves the whole, or enters it; or the other way round.
+fn turned(body: u32, leaving: bool) -> bool {
+    return (whole_of(body | select(0u, INWARDS, leaving)) & INWARDS) != 0u;
+}
+
 // What is true of a ray that starts within a body by the numbers, but perhaps only by their rounding.
 fn start_within(index: u32, ray: Ray, span: Span) -> BodyIntersection {
     let slack = ray.slack + bodies[index].slack;
@@ -74,7 +110,7 @@ fn error_bound_at(ray: Ray, t: f32, larger: f32) -> f32 {
 
 fn is_closer(t: f32, index: u32, than: ClosestHit) -> bool {
     if t == than.t && t < INFINITY {
-        return scene_order[index].x < scene_order[than.body].x;
+        return comes_before(index, than.body);
     }
     return t < than.t;
 }
@@ -89,13 +125,14 @@ fn nearer(t: f32, index: u32, than: ClosestHit) -> ClosestHit {
 }
 
 fn offer(index: u32, ray: Ray, media: ptr<function, Media>, best: ptr<function, ClosestHits>) {
-    let met = meeting(index, ray, media);
+    var body: u32;
+    let met = first_meeting(index, ray, media, &body);
     if met.entering {
-        (*best).entering = nearer(met.enter, index, (*best).entering);
+        (*best).entering = nearer(met.enter, body, (*best).entering);
         (*best).reach = min((*best).reach, reach_of(ray, (*best).entering.t));
     }
     if met.leaving {
-        (*best).leaving = nearer(met.exit, index, (*best).leaving);
+        (*best).leaving = nearer(met.exit, body, (*best).leaving);
         (*best).reach = min((*best).reach, reach_of(ray, (*best).leaving.t));
     }
 }
@@ -118,10 +155,10 @@ fn first_of(best: ClosestHits, ray: Ray) -> HitRecord {
     if leaving.t < INFINITY {
         let larger = max(entering.slack, leaving.slack);
         if leaving.t <= entering.t + error_bound_at(ray, entering.t, larger) {
-            return HitRecord(leaving.t, leaving.body, true, true);
+            return HitRecord(leaving.t, leaving.body, turned(leaving.body, true), true);
         }
     }
-    return HitRecord(entering.t, entering.body, false, entering.t < INFINITY);
+    return HitRecord(entering.t, entering.body, turned(entering.body, false), entering.t < INFINITY);
 }
 
 // The nearest body that a ray meets.
@@ -138,7 +175,7 @@ fn closest_hit(ray: Ray, media: ptr<function, Media>) -> HitRecord {
             offer(index, ray, media, &best);
         }
     }
-    if HAS_PLANES {
+    if HAS_PLANES && !ENDLESS_LEAF {
         for (var index = frame.bounded; index < frame.bodies; index++) {
             offer(index, ray, media, &best);
         }
@@ -178,7 +215,7 @@ fn first_of_coincident(ray: Ray, media: ptr<function, Media>, nearest: ClosestHi
             first = first_of_two(index, ray, media, nearest, first, leaving);
         }
     }
-    if HAS_PLANES {
+    if HAS_PLANES && !ENDLESS_LEAF {
         for (var index = frame.bounded; index < frame.bodies; index++) {
             first = first_of_two(index, ray, media, nearest, first, leaving);
         }
@@ -195,19 +232,24 @@ fn first_of_two(
     first: ClosestHit,
     leaving: bool,
 ) -> ClosestHit {
-    if index == nearest.body || scene_order[index].x > scene_order[first.body].x {
+    if !is_joined(index) && (index == nearest.body || comes_before(first.body, index)) {
         return first;
     }
-    let met = meeting(index, ray, media);
+    var body: u32;
+    let met = first_meeting(index, ray, media, &body);
+    if is_joined(index) && (body == nearest.body || comes_before(first.body, body)) {
+        return first;
+    }
     let is_met = select(met.entering, met.leaving, leaving);
     let t = select(met.enter, met.exit, leaving);
-    let slack = bodies[index].slack;
-    let cosine = max(crossing_cosine(index, ray, leaving), crossing_cosine(nearest.body, ray, leaving));
+    let slack = bodies[body].slack;
+    let own_cosine = crossing_cosine(body, ray, turned(body, leaving));
+    let cosine = max(own_cosine, crossing_cosine(nearest.body, ray, turned(nearest.body, leaving)));
     let across = (t - nearest.t) * cosine;
     if !is_met || across > error_bound_at(ray, nearest.t, max(slack, nearest.slack)) {
         return first;
     }
-    return ClosestHit(t, index, slack, nearest.others);
+    return ClosestHit(t, body, slack, nearest.others);
 }
 
 // |cos| of the angle between the ray and the normal where it enters or leaves a body.
@@ -219,6 +261,9 @@ fn crossing_cosine(index: u32, ray: Ray, leaving: bool) -> f32 {
 
 // What the surface of one body lets through on the way to a light at `distance`.
 fn filter_through(index: u32, ray: Ray, media: ptr<function, Media>, distance: f32) -> vec3<f32> {
+    if is_joined(index) {
+        return filter_through_joined(index, ray, media, distance);
+    }
     let met = meeting(index, ray, media);
     let in_front = met.entering && met.enter < distance;
     let behind = met.leaving && met.exit < distance;
@@ -257,7 +302,7 @@ fn transmittance(ray: Ray, media: ptr<function, Media>, to_light: f32) -> vec3<f
             return share;
         }
     }
-    if HAS_PLANES {
+    if HAS_PLANES && !ENDLESS_LEAF {
         for (var index = frame.bounded; index < frame.bodies; index++) {
             share = bounded(share * filter_through(index, ray, media, distance));
         }

@@ -5,6 +5,8 @@ alias Box = vec4<f32>;
 
 struct Traversal {
     next: u32,
+    // Whether what has no end is still to come, where that is a leaf.
+    has_endless: bool,
 }
 
 // Some bodies, one after another; none at the end of a walk.
@@ -14,11 +16,17 @@ struct Leaf {
 }
 
 fn traversal_from(ray: Ray) -> Traversal {
-    return Traversal(0u);
+    return Traversal(0u, ENDLESS_LEAF);
 }
 
 // The next bodies that the ray may meet before `reach`.
 fn traversal_next(walk: ptr<function, Traversal>, ray: Ray, reach: f32) -> Leaf {
+    if (*walk).has_endless {
+        (*walk).has_endless = false;
+        if frame.bounded < frame.bodies {
+            return Leaf(frame.bounded, frame.bodies - frame.bounded);
+        }
+    }
     while (*walk).next < frame.bounded {
         let index = (*walk).next;
         (*walk).next = index + 1u;

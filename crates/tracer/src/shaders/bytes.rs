@@ -11,6 +11,7 @@ use crate::geometry::body::RenderBody;
 use crate::geometry::bvh::BvhNode;
 use crate::shaders::constants::{FRAME_PLACES, MOST_MEDIA};
 use crate::shaders::features::PhysicalFeatures;
+use crate::shaders::joined;
 use crate::shaders::materials;
 use crate::shaders::pictures::PictureAtlas;
 use crate::shaders::specialize::eye_media;
@@ -60,8 +61,9 @@ impl<'a> SceneArrays<'a> {
         [bodies(size_of::<RenderBody>()), changes.nodes.iter().map(node).collect(), bodies(ORDER_BYTES)]
     }
 
-    /// Of each body its place in the scene and, if `ranked`, its place among all bodies in the order of their volumes
-    /// (see [`ShaderSpecialization::asks_each_start`](super::ShaderSpecialization::asks_each_start)).
+    /// Of each body its number in the scene and, if `ranked`, its place among all bodies in the order of their volumes
+    /// (see [`ShaderSpecialization::asks_each_start`](super::ShaderSpecialization::asks_each_start)). Behind them what
+    /// members of groups and parts belong to, and how bodies are joined.
     pub fn scene_order(self, ranked: bool) -> Vec<u8> {
         let scene = self.0;
         let mut order: Vec<[u32; 2]> = scene.geometry.numbers.iter().map(|&index| [index, 0]).collect();
@@ -81,6 +83,7 @@ impl<'a> SceneArrays<'a> {
                 }
             }
         }
+        joined::add_to(&mut order, &scene.geometry);
         bytemuck::cast_slice(&order).to_vec()
     }
 
@@ -190,7 +193,7 @@ pub struct FrameUniforms {
     horizon: [f32; 3],
     turn: f32,
     nadir: [f32; 3],
-    unused_sky: u32,
+    scene_bodies: u32,
     size: [u32; 2],
     tiles_across: u32,
     first_tile: u32,
@@ -201,7 +204,7 @@ pub struct FrameUniforms {
     samples_done: u32,
     samples: u32,
     eye_media_count: u32,
-    unused: u32,
+    members: u32,
     eye_media: [u32; MOST_MEDIA],
     places: [[f32; 4]; FRAME_PLACES],
 }
@@ -231,6 +234,8 @@ impl FrameUniforms {
             lights: scene.lights.len() as u32,
             largest_error_bound: scene.geometry.largest_error_bound,
             eye_media_count: media.len().min(MOST_MEDIA) as u32,
+            scene_bodies: scene.geometry.members.first,
+            members: joined::members_of(&scene.geometry),
             ..Self::zeroed()
         };
         for (place, body) in frame.eye_media.iter_mut().zip(media) {

@@ -21,6 +21,8 @@ pub struct SceneContents {
     transparent: usize,
     /// The longest way through the hierarchy of boxes, nodes; 0 without one.
     depth: u32,
+    /// The most parts of a joined body.
+    parts: u32,
 }
 
 /// What a shader is made for: scenes and cameras of one kind share it.
@@ -44,6 +46,10 @@ pub struct ShaderSpecialization {
     pub sky: EnvironmentKind,
     /// Whether there are pictures on bodies.
     pub textures: bool,
+    /// How many parts a joined body may have; 0 if there are none.
+    pub parts: u32,
+    /// Whether groups have members, or joined bodies parts.
+    pub members: bool,
 }
 
 /// What surrounds the bodies of a scene.
@@ -74,9 +80,6 @@ pub enum UnsupportedOnGpu {
     /// Some body is huge beside what is seen, or extremely flat, and is intersected in double precision.
     #[error("a body is so large or so flat that it needs double precision, which the GPU does not have")]
     DoublePrecision,
-    /// Some body is a union, an intersection or a difference.
-    #[error("a body is joined of others, which the GPU does not draw")]
-    JoinedBodies,
     /// The eye stands inside of very many transparent bodies at once.
     #[error("the eye is inside of {0} transparent bodies at once; the GPU follows rays through {MOST_MEDIA}")]
     EyeMedia(usize),
@@ -94,8 +97,13 @@ pub enum UnsupportedOnGpu {
 impl SceneContents {
     /// Looks at all bodies of a scene.
     pub fn of(scene: &RenderScene) -> Self {
-        let mut contents = Self { depth: depth(scene), ..Self::default() };
-        contents.add(&scene.geometry.bodies);
+        let trees = scene.geometry.joined.bodies.iter().map(|body| body.tree.parts);
+        let mut contents =
+            Self { depth: depth(scene), parts: trees.max().unwrap_or_default(), ..Self::default() };
+        let (whole, parts) = scene.geometry.bodies.split_at(scene.body_count());
+        contents.add(whole);
+        // A whole is transparent if one of its parts is, and has no end if one of them has none.
+        parts.iter().for_each(|part| contents.shapes |= shape_bit(part));
         contents
     }
 
@@ -109,10 +117,15 @@ impl SceneContents {
 
     fn add(&mut self, bodies: &[RenderBody]) {
         for body in bodies {
-            self.shapes |= 1 << u32::from(body.kind);
+            self.shapes |= shape_bit(body);
             self.transparent += usize::from(body.is_transparent());
         }
     }
+}
+
+/// None for a joined body: its parts tell.
+fn shape_bit(body: &RenderBody) -> u32 {
+    if body.is_joined() { 0 } else { 1 << u32::from(body.kind) }
 }
 
 impl ShaderSpecialization {
@@ -128,16 +141,13 @@ impl ShaderSpecialization {
         if scene.geometry.has_doubles() {
             return Err(UnsupportedOnGpu::DoublePrecision);
         }
-        if !scene.geometry.joined.bodies.is_empty() {
-            return Err(UnsupportedOnGpu::JoinedBodies);
-        }
         let physical = PhysicalFeatures::of(scene);
         let is_textured = |material: &RenderMaterial| material.texture.is_some();
         let around_eye = eye_media(scene, camera).len();
         if around_eye > MOST_MEDIA {
             return Err(UnsupportedOnGpu::EyeMedia(around_eye));
         }
-        let SceneContents { shapes, transparent, depth } = *contents;
+        let SceneContents { shapes, transparent, depth, parts } = *contents;
         let is_clear = transparent > 0;
         // One ray may wait for each generation, in the last one only one that goes straight on, and one more among waves; in
         // steps, so that fewer shaders are needed.
@@ -153,6 +163,8 @@ impl ShaderSpecialization {
             physical,
             sky: EnvironmentKind::of(scene),
             textures: scene.materials.iter().any(is_textured),
+            parts: if parts > 0 { parts.next_power_of_two() } else { 0 },
+            members: !scene.geometry.members.scene_indices.is_empty(),
         })
     }
 

@@ -51,8 +51,10 @@ fn media_leave(media: ptr<function, Media>, body: u32) {
 // reflected there. To leave a body that was never entered, as may be where surfaces coincide, changes nothing.
 fn media_cross(media: ptr<function, Media>, start: u32) -> f32 {
     let before = media_ior(media);
-    let body = start & NO_START;
-    if (start & INWARDS) != 0u {
+    // A joined body is one medium, whatever its parts.
+    let whole = whole_of(start);
+    let body = whole & NO_START;
+    if (whole & INWARDS) != 0u {
         media_leave(media, body);
     } else if !media_contains(media, body) {
         media_enter(media, body);
@@ -87,13 +89,15 @@ fn media_at_point(ray: Ray, media: ptr<function, Media>) {
             media_enter_if_inside(ray, index, media);
         }
     }
-    for (var index = frame.bounded; index < frame.bodies; index++) {
-        media_enter_if_inside(ray, index, media);
+    if !ENDLESS_LEAF {
+        for (var index = frame.bounded; index < frame.bodies; index++) {
+            media_enter_if_inside(ray, index, media);
+        }
     }
 }
 
 fn media_enter_if_inside(ray: Ray, index: u32, media: ptr<function, Media>) {
-    if !body_is_transparent(index) || !body_contains(index, ray.origin) {
+    if !body_is_transparent(index) || !is_around(index, ray.origin) {
         return;
     }
     media_enter(media, index);
@@ -101,10 +105,17 @@ fn media_enter_if_inside(ray: Ray, index: u32, media: ptr<function, Media>) {
     for (var at = (*media).count - 1u; at > 0u; at--) {
         let outer = (*media).bodies[at - 1u];
         let inner = (*media).bodies[at];
-        if scene_order[outer].y < scene_order[inner].y {
+        if volume_order(outer) < volume_order(inner) {
             break;
         }
         (*media).bodies[at - 1u] = inner;
         (*media).bodies[at] = outer;
     }
+}
+
+fn is_around(index: u32, point: vec3<f32>) -> bool {
+    if is_joined(index) {
+        return joined_contains(index, point);
+    }
+    return body_contains(index, point);
 }

@@ -11,7 +11,8 @@ struct Frame {
     // The part of a full turn by which the picture around is turned.
     turn: f32,
     nadir: vec3<f32>,
-    unused_sky: u32,
+    // The numbers of bodies from here on are those of members of groups, and of parts.
+    scene_bodies: u32,
     // Of the picture, pixels.
     size: vec2<u32>,
     tiles_across: u32,
@@ -25,7 +26,8 @@ struct Frame {
     samples_done: u32,
     samples: u32,
     eye_media_count: u32,
-    unused: u32,
+    // What has to be added to the number of a member for its place behind the order of the bodies.
+    members: u32,
     // The bodies around the eye, the outermost first.
     eye_media: array<vec4<u32>, 4>,
     // Where the samples lie in their pixels; two numbers of each.
@@ -48,7 +50,9 @@ struct Film {
 
 @group(0) @binding(0) var<uniform> frame: Frame;
 @group(0) @binding(1) var<storage, read> bodies: array<Body>;
-// For each body its place in the scene, and in the order of volumes.
+// For each body its number in the scene, and its place in the order of volumes. Of a joined body, that of its record; of a
+// part, the start of a ray from its outer side as the whole has it. Behind them, the places in the scene of members, and
+// the records.
 @group(0) @binding(2) var<storage, read> scene_order: array<vec2<u32>>;
 @group(0) @binding(3) var<storage, read> boxes: array<Box>;
 // The fourth, `materials`, is declared where their form is.

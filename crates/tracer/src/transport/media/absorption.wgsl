@@ -41,7 +41,7 @@ fn is_entered_before(a: MediumInterval, b: MediumInterval, media: ptr<function, 
     } else if a.enter != b.enter {
         return a.enter < b.enter;
     }
-    return scene_order[a.body].x < scene_order[b.body].x;
+    return comes_before(a.body, b.body);
 }
 
 // Notes the part of the way to a light at `distance` that lies within a transparent body.

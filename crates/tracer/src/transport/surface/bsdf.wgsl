@@ -67,7 +67,7 @@ fn eval_diffuse(at: ptr<function, SurfaceInteraction>, cos: f32) -> vec3<f32> {
 
 // Whether it is the surface of a rough clear body, met from within.
 fn rough_interior(at: ptr<function, SurfaceInteraction>) -> bool {
-    return is_rough(at) && is_dielectric(at) && ((*at).start & INWARDS) != 0u;
+    return is_rough(at) && is_dielectric(at) && (whole_of((*at).start) & INWARDS) != 0u;
 }
 
 // What the surface sends on towards the viewer of light that falls in under an angle of this cosine.
