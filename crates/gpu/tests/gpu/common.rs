@@ -7,7 +7,7 @@ use std::sync::{Arc, OnceLock};
 
 use catoptric_gpu::{Gpu, GpuChoice, wait};
 use catoptric_platform::threads;
-use catoptric_scene::{Example, Form, Scene, Shape};
+use catoptric_scene::{Example, Scene};
 use catoptric_tracer::RenderScene;
 
 /// A card of the test's own; `None` if there is none, which is told (not captured, as the output of tests is).
@@ -66,6 +66,8 @@ fn load(path: &Path) -> Scene {
 /// Every reference scene, every scene that is held against Mitsuba's pictures, and every example, by name.
 pub(crate) fn all_scenes() -> Vec<(String, Scene)> {
     let mut scenes = scenes_in(&references_folder(), "reference");
+    // These are compared by themselves.
+    scenes.retain(|(name, _)| !is_of_joined(name));
     for (name, mut scene) in scenes_in(&tests_folder().join("mitsuba"), "mitsuba") {
         // They ask for trees that no driver on the processor grows in one go.
         scene.tracing.generations = scene.tracing.generations.min(8);
@@ -76,14 +78,19 @@ pub(crate) fn all_scenes() -> Vec<(String, Scene)> {
             .iter()
             .map(|example| (format!("example {}", example.name), example.load().unwrap().scene)),
     );
-    // Cards leave joined bodies to the processor.
-    scenes.retain(|(_, scene)| !scene.bodies.iter().any(|body| is_joined(&body.form())));
     scenes
 }
 
-fn is_joined(form: &Form<'_>) -> bool {
-    matches!(form.shape, Shape::Union | Shape::Intersection | Shape::Difference)
-        || form.parts.iter().any(|part| is_joined(&part.form()))
+/// The reference scenes of joined bodies, by name.
+pub(crate) fn joined_references() -> Vec<(String, Scene)> {
+    let mut scenes = scenes_in(&references_folder(), "reference");
+    scenes.retain(|(name, _)| is_of_joined(name));
+    scenes
+}
+
+fn is_of_joined(name: &str) -> bool {
+    // Parallel rays need a shader of another kind.
+    name.contains(" joined-") && !name.ends_with("parallel")
 }
 
 fn scenes_in(folder: &Path, kind: &str) -> Vec<(String, Scene)> {

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use catoptric_picture::Picture;
 use catoptric_scene::{
-    Body, Camera, Checker, Color, Environment, Image, Light, Material, MaterialChoice, Pattern, Phong,
-    Projection, Scene, Sky, Surroundings,
+    Body, BodyPart, Camera, Checker, Color, Environment, Image, Light, Material, MaterialChoice, Pattern,
+    Phong, Placement, Projection, Scene, Shape, Sky, Surroundings,
 };
 use catoptric_tracer::shaders::{
     AtlasTexel, CameraRaysBytes, FILM_HEAD, FILM_PIXEL, FrameUniforms, PhysicalFeatures, SceneArrays,
@@ -142,6 +142,44 @@ fn bodies_and_materials_are_read_where_they_are_written() {
     let order = arrays.scene_order(true);
     assert_eq!(word(&order, 0) as usize, first);
     assert_eq!(word(&order, 4) as usize, first, "equal volumes keep the order of the scene");
+}
+
+/// A ball, a group of a ball, and a ball cut by one and by two that are in common.
+fn compound() -> Scene {
+    let ball = |x: f64| BodyPart { placement: Placement::at(DVec3::new(x, 0.0, 0.0)), ..BodyPart::default() };
+    let common = BodyPart { shape: Shape::Intersection, parts: vec![ball(0.5), ball(0.6)], ..ball(0.0) };
+    let body = |shape, parts| Body { shape, parts, ..Body::default() };
+    let cut = vec![ball(0.0), ball(1.0), common];
+    let bodies = [Body::default(), body(Shape::Group, vec![ball(9.0)]), body(Shape::Difference, cut)];
+    Scene { bodies: bodies.into(), ..Scene::default() }
+}
+
+#[test]
+fn joined_bodies_are_read_where_they_are_written() {
+    let render_scene = RenderScene::build(&compound()).unwrap();
+    let order: Vec<[u32; 2]> = bytemuck::pod_collect_to_vec(&SceneArrays(&render_scene).scene_order(true));
+    let frame = FrameUniforms::new(&render_scene, render_scene.camera(), [70, 40]);
+    let frame = bytemuck::bytes_of(&frame);
+    let few = module(0);
+    let word_of = |member| word(frame, offset(&few, "Frame", member)) as usize;
+    let whole = (0..3).find(|&index| render_scene.scene_index(index) == Some(2)).unwrap();
+    let (numbers, records): (Vec<u32>, Vec<u32>) =
+        order.iter().map(|&[number, place]| (number, place)).unzip();
+    // Three bodies, the whole and one member of the group among them, and four parts.
+    assert_eq!((word_of("bodies"), word_of("scene_bodies")), (3, 3));
+    for (place, number) in numbers.iter().take(7).enumerate() {
+        let in_scene = match number {
+            0..3 => *number,
+            member => numbers[(word_of("members") as u32).wrapping_add(*member) as usize],
+        };
+        assert_eq!(render_scene.scene_index(place as u32), Some(in_scene as usize), "{number}");
+    }
+    assert_eq!(records[3..7], [whole, whole | 1 << 31, whole | 1 << 31, whole | 1 << 31]);
+    let record = records[whole as usize] as usize;
+    assert_eq!(order[record..record + 2], [[3, 4], [0b1110, 0]]);
+    assert_eq!(order[record + 2][1], 2, "gates");
+    // Outside of one of the last two; and that, in the first and outside of the second.
+    assert_eq!(order[record + 3..], [[0b1100, 0], [1, 0], [0b0011, 0], [0, 1]]);
 }
 
 #[test]

@@ -43,6 +43,8 @@ pub(crate) fn kinds() -> Vec<ShaderSpecialization> {
                     physical: PhysicalFeatures::NOTHING,
                     sky: EnvironmentKind::Even,
                     textures: false,
+                    parts: 0,
+                    members: false,
                 };
                 kinds.push(plain);
                 kinds.extend(with_pictures(plain));
@@ -52,6 +54,9 @@ pub(crate) fn kinds() -> Vec<ShaderSpecialization> {
                         physical: PhysicalFeatures::ALL,
                         ..plain
                     }));
+                    let members = ShaderSpecialization { members: true, ..plain };
+                    kinds.extend([0, 1, 64].map(|parts| ShaderSpecialization { parts, ..members }));
+                    kinds.push(ShaderSpecialization { parts: 4, physical: PhysicalFeatures::ALL, ..members });
                 }
             }
         }
@@ -93,6 +98,16 @@ fn shaders_without_pictures_know_nothing_of_them() {
                 "{own}"
             );
         }
+    }
+}
+
+/// Scenes without joined bodies pay nothing for them.
+#[test]
+fn shaders_without_joined_bodies_know_nothing_of_them() {
+    let none = ShaderSpecialization::default();
+    for own in ["fn joined_walk", "part_spans", "fn gates_hold"] {
+        assert!(!shader(&none).contains(own), "{own}");
+        assert!(shader(&ShaderSpecialization { parts: 2, ..none }).contains(own), "{own}");
     }
 }
 
