@@ -296,7 +296,7 @@ fn the_part_whose_surface_is_met_is_named() {
     let wall = ("\"wall\"".to_owned(), None);
     let [whole, hollow] = ["parts.shell.parts.whole", "parts.shell.parts.1"].map(things);
     assert_eq!(hits, [whole.clone(), hollow.clone(), hollow, whole, wall]);
-    assert!(catoptric_lab::audit::to_text(&found).contains("\"things\", parts.shell.parts.whole after"));
+    assert!(found.to_text(None).contains("\"things\", parts.shell.parts.whole after"));
     let shadow = found.trees[0].nodes.last().unwrap().answer().unwrap().lights[0].shadow.clone().unwrap();
     let crossed: Vec<_> =
         shadow.crossings.iter().map(|crossing| found.names.part(crossing.body, crossing.part)).collect();

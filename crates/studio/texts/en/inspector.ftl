@@ -109,6 +109,7 @@ shape-group = Group
 parts = Parts
 parts-more = and { $count } more
 parts-hint = A click on a row of the outliner, or on the selected whole in the picture, selects a part to be changed here.
+instance-hint = An instance of “{ $body }”, whose shape and sizes it has. “Make its own” lets them be changed here.
 parts-alone = Only one part is left: “Take apart” makes a simple body of it.
 part-of = Part of { $name }
     .tip = Goes to what the part is in.

@@ -151,7 +151,12 @@ pub(super) fn shape_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Body>) {
     let texts = sheet.texts();
     let kind = sheet.primary.body_shape().kind();
     let summary = texts.get(shape_choice(kind));
-    section(ui, "shape", texts.get("section-shape"), summary, sheet.is_free, |ui| {
+    let original = sheet.primary.instance.as_ref().map(|instance| instance.of.clone());
+    let is_own = sheet.things.iter().all(|body| body.instance.is_none());
+    section(ui, "shape", texts.get("section-shape"), summary, sheet.is_free && is_own, |ui| {
+        if let Some(original) = original {
+            header::hint(ui, &texts.with("instance-hint", &[("body", original.into())]));
+        }
         let kinds = ShapeKind::ALL.into_iter().filter(|other| other.is_compound() == kind.is_compound());
         let choices: Vec<ChoiceItem<'_, ShapeKind>> = kinds
             .map(|kind| {
@@ -181,7 +186,7 @@ pub(super) fn shape_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Body>) {
         for row in [&FRONT_RADIUS, &BACK_RADIUS, &FOCAL_LENGTH, &LENS_IOR, &CURVATURE_RADIUS] {
             sheet.number(ui, row, chosen);
         }
-        if kind.is_compound() && sheet.things.len() == 1 {
+        if kind.is_compound() && is_own && sheet.things.len() == 1 {
             parts::parts_ui(ui, texts, &sheet.primary.parts);
         }
     });
