@@ -35,7 +35,7 @@ fn clicks_go_from_the_whole_to_its_parts() {
     hand.click(cube);
     assert_eq!(meant(&hand), Some(path(&[1])));
     hand.harness.state_mut().editor_mut().select(Selection::none());
-    hand.modifiers = Modifiers::ALT;
+    hand.hold(Modifiers::ALT);
     hand.click(cube);
     assert_eq!(meant(&hand), Some(path(&[1])));
 }
