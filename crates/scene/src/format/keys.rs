@@ -403,29 +403,15 @@ pub static PART: TableSpec = TableSpec {
     ],
 };
 
+#[rustfmt::skip] // The list is read as one.
 const INSTANCE_OF: KeySpec = KeySpec::new(
     "instance_of",
     Kind::Text,
     "the name of a body whose shape, sizes and parts it has, and whose material unless it has its own",
 )
 .excluding(&[
-    "shape",
-    "sides",
-    "radius",
-    "inner_radius",
-    "top_radius",
-    "size",
-    "thickness",
-    "height",
-    "profile",
-    "focal_length",
-    "ior",
-    "curvature_radius",
-    "front_radius",
-    "back_radius",
-    "base",
-    "top",
-    "parts",
+    "shape", "sides", "radius", "inner_radius", "top_radius", "size", "thickness", "height", "profile", "focal_length",
+    "ior", "curvature_radius", "front_radius", "back_radius", "base", "top", "parts",
 ]);
 const SHAPE: KeySpec = KeySpec::new("shape", Kind::Choice(&SHAPE_NAMES), "the shape of the body")
     .or(Default::Text(ShapeKind::Sphere.key()))

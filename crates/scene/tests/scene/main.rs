@@ -8,6 +8,7 @@
 )]
 
 mod address;
+mod any_key;
 mod common;
 mod hints;
 mod instances;
