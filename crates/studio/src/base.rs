@@ -1,6 +1,7 @@
 //! The base: texts, theme, widgets and work on threads. It knows nothing of the studio.
 
 pub(crate) mod example_texts;
+pub(crate) mod focus_turns;
 pub(crate) mod fuzzy;
 pub(crate) mod held_keys;
 pub(crate) mod job;

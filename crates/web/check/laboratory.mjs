@@ -168,8 +168,6 @@ export class Laboratory {
     await this.settled();
     await this.page.keyboard.press("Control+a");
     await this.page.keyboard.type(text);
-    // The toolkit moves the focus at the begin of a frame, before it types what came with the same one.
-    await this.state();
     await this.page.keyboard.press(key);
     await this.settled();
   }

@@ -7,6 +7,7 @@ use catoptric_scene::{Scene, ScenePart};
 use egui::{CentralPanel, Context, Frame, Panel, SurrenderFocusOn, Ui};
 use egui_tiles::Tree;
 
+use crate::base::focus_turns::FocusTurns;
 use crate::base::notices::Toasts;
 use crate::base::texts::Texts;
 use crate::base::theme;
@@ -55,6 +56,7 @@ impl Studio {
     ) -> Result<Self, StudioError> {
         let settings = host.settings_path().map_or_else(Settings::first, |path| Settings::load(&path));
         theme::install(context);
+        FocusTurns::install(context);
         theme::choose(context, settings.theme);
         context.options_mut(|options| {
             options.zoom_with_keyboard = false;
