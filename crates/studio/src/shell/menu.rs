@@ -305,20 +305,24 @@ fn do_ui<const N: usize>(
 }
 
 fn select_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
-    use Action::{InvertSelection, SelectAll, SelectNext, SelectNone, SelectPrevious};
+    use Action::{
+        InvertSelection, SelectAll, SelectNext, SelectNone, SelectPart, SelectPrevious, SelectWhole,
+    };
     let list = [SelectAll, SelectNone, InvertSelection, SelectNext, SelectPrevious];
     do_ui(ui, studio, commands, list.map(Command::Edit));
+    ui.separator();
+    do_ui(ui, studio, commands, [SelectPart, SelectWhole].map(Command::Edit));
 }
 
 fn material_ui(ui: &mut Ui, studio: &Studio, commands: &mut Vec<Command>) {
-    use Action::{MakeMaterialUnique, RemoveUnusedMaterials, ShareMaterial};
+    use Action::{MakeMaterialUnique, MaterialOfWhole, RemoveUnusedMaterials, ShareMaterial};
     do_ui(ui, studio, commands, [WindowCommand::TogglePane(Pane::Materials)]);
     ui.separator();
     do_ui(
         ui,
         studio,
         commands,
-        [ShareMaterial, MakeMaterialUnique, RemoveUnusedMaterials].map(Command::Edit),
+        [ShareMaterial, MakeMaterialUnique, MaterialOfWhole, RemoveUnusedMaterials].map(Command::Edit),
     );
 }
 

@@ -500,7 +500,10 @@ fn ior_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>, phong: &Phon
 pub(crate) fn give_texture(editor: &mut Editor, texts: &Texts, image: &Image) -> Result<bool, RefusedChange> {
     let scene = Arc::clone(editor.scene());
     let bodies: Vec<usize> = editor.selected_bodies().collect();
+    // A part of the material of the whole has none that could be changed alone.
+    let of_part = editor.selected_part().and_then(|(index, path)| home_of_part(&scene, index, path));
     let homes = match editor.primary_part() {
+        _ if of_part.is_some() => of_part.into_iter().collect(),
         Some(ScenePart::Material(index)) => vec![MaterialOwner::Named(index)],
         _ => homes_of(&scene, &bodies),
     };
