@@ -66,8 +66,7 @@ fn load(path: &Path) -> Scene {
 /// Every reference scene, every scene that is held against Mitsuba's pictures, and every example, by name.
 pub(crate) fn all_scenes() -> Vec<(String, Scene)> {
     let mut scenes = scenes_in(&references_folder(), "reference");
-    // These are compared by themselves.
-    scenes.retain(|(name, _)| !is_of_joined(name));
+    scenes.retain(|(name, _)| !is_left_out(name));
     for (name, mut scene) in scenes_in(&tests_folder().join("mitsuba"), "mitsuba") {
         // They ask for trees that no driver on the processor grows in one go.
         scene.tracing.generations = scene.tracing.generations.min(8);
@@ -81,16 +80,11 @@ pub(crate) fn all_scenes() -> Vec<(String, Scene)> {
     scenes
 }
 
-/// The reference scenes of joined bodies, by name.
-pub(crate) fn joined_references() -> Vec<(String, Scene)> {
-    let mut scenes = scenes_in(&references_folder(), "reference");
-    scenes.retain(|(name, _)| is_of_joined(name));
-    scenes
-}
-
-fn is_of_joined(name: &str) -> bool {
-    // Parallel rays need a shader of another kind.
-    name.contains(" joined-") && !name.ends_with("parallel")
+/// A software driver compiles the shader of a scene of joined bodies for seconds: what these show is in others too, and in
+/// tests of their own.
+fn is_left_out(name: &str) -> bool {
+    const DRAWN: [&str; 3] = ["joined-common-face", "joined-inside-glass", "joined-parallel"];
+    name.contains(" joined-") && !DRAWN.iter().any(|drawn| name.ends_with(drawn))
 }
 
 fn scenes_in(folder: &Path, kind: &str) -> Vec<(String, Scene)> {
