@@ -8,8 +8,8 @@ use js_sys::{Object, Reflect};
 use wasm_bindgen::{JsCast as _, JsValue};
 use web_sys::{OffscreenCanvas, WebGl2RenderingContext};
 
-/// What a browser gives a canvas unless it is told otherwise, and the toolkit does not use: it smooths edges itself, and
-/// draws the whole of the window. Without a graphics card each doubles the time for a frame.
+/// What a browser gives a canvas unless it is told otherwise. The toolkit smooths edges itself: with antialiasing a glyph
+/// takes colors from its neighbor in the texture, and a frame without a graphics card takes twice as long.
 const UNUSED: [&str; 4] = ["alpha", "antialias", "depth", "stencil"];
 
 /// Draws into a canvas.

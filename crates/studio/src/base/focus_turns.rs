@@ -99,16 +99,16 @@ mod tests {
         let context = Context::default();
         FocusTurns::install(&context);
         let mut texts = [String::new(), String::new()];
-        let ids = ["first", "second"].map(Id::new);
+        let ids = ["first", "second"].map(Id::unique);
         context.memory_mut(|memory| memory.request_focus(ids[0]));
         let mut frame = |events| {
             let input = RawInput { events, ..RawInput::default() };
-            let output = context.run_ui(input, |ui| {
+            let mut output = context.run_ui(input, |ui| {
                 for (id, text) in ids.iter().zip(&mut texts) {
                     ui.add(TextEdit::singleline(text).id(*id));
                 }
             });
-            drop(output);
+            output.textures_delta.clear();
         };
         frame(Vec::new());
         frame(vec![text("12"), key(Key::Tab), text("34"), key(Key::Tab)]);
