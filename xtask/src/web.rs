@@ -234,7 +234,6 @@ fn copy_page(folder: &Path) -> Result<()> {
             fs::copy(&path, folder.join(name))?;
         }
     }
-    fs::copy(root().join("crates/studio/assets/icon.png"), folder.join("icon.png"))?;
     Ok(())
 }
 
