@@ -6,14 +6,13 @@ mod parametric;
 use glam::{DAffine3, DVec3};
 
 pub use instance::Instance;
-pub(crate) use instance::{InstanceFault, InstanceProblem};
+pub(crate) use instance::SharedForm;
 pub use parametric::{
     BodyShape, Bowl, DishDepth, DishProfile, Expansion, Lens, LensCurvature, MirrorDish, ParametricShape,
     Prism, Ring, Tube, Wedge,
 };
 pub(crate) use parametric::{BrokenSize, SizeFault};
 
-use crate::format::key_text;
 use crate::material::MaterialChoice;
 use crate::placement::{Anchor, Placement};
 use crate::shape::Shape;
@@ -167,24 +166,6 @@ impl<'a> Form<'a> {
         Some([min?, max?])
     }
 
-    /// The address within the body of a part, by its place among those of [`Self::each_simple`]: `parts.front.parts.0`.
-    /// Parts that nobody gave, as those of a lens, have the address of what they make; `None` for a simple body.
-    pub fn part_address(&self, place: usize) -> Option<String> {
-        let (mut address, mut form, mut left) = (String::new(), *self, place);
-        while form.shape.is_compound() && form.parametric().is_none() {
-            let mut parts = form.parts.iter().enumerate();
-            let (index, part) = parts.find(|(_, part)| {
-                let count = part.form().simple_parts(left);
-                let is_here = count > left;
-                left = if is_here { left } else { left - count };
-                is_here
-            })?;
-            address.push_str(&part_step(part, index, address.is_empty()));
-            form = part.form();
-        }
-        (!address.is_empty()).then_some(address)
-    }
-
     /// How many simple parts it has, or more than `most` if there are.
     pub(crate) fn simple_parts(&self, most: usize) -> usize {
         if !self.shape.is_compound() {
@@ -219,12 +200,6 @@ impl<'a> Form<'a> {
             part.form().each_simple_of(part.material.as_ref().or(material), frame, take);
         }
     }
-}
-
-/// The address of a part from that of its whole: `parts.front` by its name, else by its place.
-pub(crate) fn part_step(part: &BodyPart, index: usize, is_first: bool) -> String {
-    let own = if part.name.is_empty() { index.to_string() } else { key_text(&part.name) };
-    format!("{}parts.{own}", if is_first { "" } else { "." })
 }
 
 /// A box that holds nothing.

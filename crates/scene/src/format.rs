@@ -31,5 +31,4 @@ pub use nearest::nearest;
 pub use read::{LONGEST_TEXT, LoadedScene, ParsedScene, Warned, decode, read, read_bytes};
 pub use schema::json_schema;
 pub use update::update;
-pub(crate) use write::key_text;
 pub use write::{write, write_fragment};

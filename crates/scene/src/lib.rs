@@ -9,6 +9,7 @@ mod examples;
 pub mod format;
 mod frame;
 mod image;
+mod instances;
 mod language;
 mod light;
 mod list;

@@ -5,6 +5,7 @@ mod completion;
 mod edit;
 mod error;
 mod listing;
+mod part;
 mod path;
 mod resolve;
 mod value;
@@ -13,6 +14,7 @@ pub use completion::AddressCompletion;
 pub use edit::SceneEdit;
 pub use error::AddressError;
 pub use listing::SceneKey;
+pub(crate) use part::part_step;
 pub use path::ScenePath;
 pub use value::SceneValue;
 

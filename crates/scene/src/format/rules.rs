@@ -3,10 +3,11 @@
 use glam::{DAffine3, DVec3};
 
 use crate::Scene;
-use crate::compound::{BodyShape, BrokenSize, Form, InstanceFault, InstanceProblem, SizeFault};
+use crate::compound::{BodyShape, BrokenSize, Form, SizeFault};
 use crate::format::message::{Component, FoundValue, Message, Subject, size_fault, size_help};
 use crate::format::quote::quoted;
 use crate::format::spec::Limits;
+use crate::instances::{InstanceFault, InstanceProblem};
 use crate::shape::Shape;
 
 /// Directions are parallel if the sine of the angle between them is less than this: some thousand times the error of

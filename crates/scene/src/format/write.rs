@@ -123,7 +123,7 @@ fn push_table(out: &mut String, record: &Record<'_>) {
 }
 
 /// A name as a key: bare where it can be.
-pub(crate) fn key_text(name: &str) -> String {
+pub(super) fn key_text(name: &str) -> String {
     let is_bare = |byte: u8| byte.is_ascii_alphanumeric() || byte == b'_' || byte == b'-';
     if !name.is_empty() && name.bytes().all(is_bare) {
         return name.to_owned();

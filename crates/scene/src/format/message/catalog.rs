@@ -295,9 +295,7 @@ messages! {
     GroupHasMore:
         "a group that is no part of another shape can have any number of them",
         "в группе, которая не входит в тело другой формы, их может быть сколько угодно";
-    PartsTooDeep:
-        "parts are nested too deep",
-        "части вложены слишком глубоко";
+    PartsTooDeep: "parts are nested too deep", "части вложены слишком глубоко";
     DeepestParts { most: String }:
         "parts within parts can be nested {most} levels deep",
         "частей одна в другой может быть не больше {most} уровней";
@@ -319,9 +317,7 @@ messages! {
     TooManyInstances { count: String, most: String }:
         "with its instances the scene has {count} simple bodies, but can have at most {most}",
         "вместе с экземплярами в сцене простых тел {count}, а может быть не больше {most}";
-    FewerInstances:
-        "use fewer instances",
-        "используйте меньше экземпляров";
+    FewerInstances: "use fewer instances", "используйте меньше экземпляров";
     PartNameTwice { name: String }:
         "two parts have the name {name}",
         "имя {name} носят две части";

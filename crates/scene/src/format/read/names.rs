@@ -3,13 +3,14 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use crate::compound::{InstanceFault, InstanceProblem, each_part_mut};
+use crate::compound::each_part_mut;
 use crate::format::diagnostic::{Diagnostic, Diagnostics, Severity};
 use crate::format::message::{Collection, Conjunction, Enumeration, Message};
 use crate::format::nearest::nearest;
 use crate::format::quote::{key_to_copy, quoted, quoted_value};
 use crate::format::rules::{self, BrokenRule};
 use crate::format::toml::Span;
+use crate::instances::{InstanceFault, InstanceProblem};
 use crate::material::MaterialChoice;
 use crate::{Color, Light, Scene, Surroundings};
 

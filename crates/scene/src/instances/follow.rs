@@ -5,10 +5,9 @@
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
-use super::{Instance, SharedForm};
 use crate::Scene;
 use crate::body::Body;
-use crate::compound::{BodyPart, each_part_mut};
+use crate::compound::{BodyPart, Instance, SharedForm, each_part_mut};
 use crate::material::MaterialChoice;
 use crate::shape::Shape;
 
