@@ -52,7 +52,10 @@ fn commands_options_scenes_and_formats_are_offered() {
     assert_eq!(words(&folder, &["rend"]), ["render"]);
     assert_eq!(words(&folder, &["render", "--softw"]), ["--software-gpu"]);
     assert_eq!(words(&folder, &["render", "whit"]), ["whitted"]);
-    assert_eq!(words(&folder, &["check", "four-bodies", "m"]), ["mirror-box", "metals", "my.toml"]);
+    assert_eq!(
+        words(&folder, &["check", "four-bodies", "m"]),
+        ["mirror-box", "metals", "mirror-bowl", "my.toml"]
+    );
     assert!(!words(&folder, &["audit", ""]).contains(&"notes.txt".to_owned()));
     assert_eq!(words(&folder, &["examples", "whit"]), ["whitted"]);
     assert_eq!(words(&folder, &["man", "mea"]), ["measure"]);
