@@ -7,7 +7,7 @@ use std::sync::{Arc, OnceLock};
 
 use catoptric_gpu::{Gpu, GpuChoice, wait};
 use catoptric_platform::threads;
-use catoptric_scene::{Example, Scene};
+use catoptric_scene::{Example, Scene, Shape};
 use catoptric_tracer::RenderScene;
 
 /// A card of the test's own; `None` if there is none, which is told (not captured, as the output of tests is).
@@ -72,16 +72,18 @@ pub(crate) fn all_scenes() -> Vec<(String, Scene)> {
         scene.tracing.generations = scene.tracing.generations.min(8);
         scenes.push((name, scene));
     }
-    scenes.extend(
-        Example::ALL
-            .iter()
-            .map(|example| (format!("example {}", example.name), example.load().unwrap().scene)),
-    );
+    let examples = Example::ALL.iter().map(|example| (example.name, example.load().unwrap().scene));
+    let examples = examples.filter(|(_, scene)| !scene.bodies.iter().any(|body| is_joined(body.shape)));
+    scenes.extend(examples.map(|(name, scene)| (format!("example {name}"), scene)));
     scenes
 }
 
-/// A software driver compiles the shader of a scene of joined bodies for seconds: what these show is in others too, and in
-/// tests of their own.
+fn is_joined(shape: Shape) -> bool {
+    matches!(shape, Shape::Union | Shape::Intersection | Shape::Difference)
+}
+
+/// A software driver compiles the shader of a scene of joined bodies for seconds: what these and the examples show is in
+/// others too, and in tests of their own.
 fn is_left_out(name: &str) -> bool {
     const DRAWN: [&str; 3] = ["joined-common-face", "joined-inside-glass", "joined-parallel"];
     name.contains(" joined-") && !DRAWN.iter().any(|drawn| name.ends_with(drawn))
