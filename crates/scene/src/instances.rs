@@ -59,7 +59,8 @@ impl Scene {
             return;
         }
         let names: HashSet<String> = self.bodies.iter().map(|body| body.name.clone()).collect();
-        self.free_instances(|of| !names.contains(of));
+        // Many bodies may have no name, and none is known by that.
+        self.free_instances(|of| of.is_empty() || !names.contains(of));
     }
 
     /// Makes the instances of some bodies bodies of their own, which look the same.

@@ -9,13 +9,20 @@ use clap_complete::env::{Bash, Elvish, EnvCompleter, Fish, Powershell, Shells, Z
 
 /// All shells that can ask.
 pub(super) const SHELLS: Shells<'static> =
-    Shells(&[&WholeWordBash, &Elvish, &Fish, &Powershell, &OpenEndedZsh]);
+    Shells(&[&WHOLE_WORD_BASH, &Elvish, &Fish, &Powershell, &OPEN_ENDED_ZSH]);
 
-/// Bash, which takes words apart at `=` and `:`, puts a blank behind all that is alone, and keeps no blanks in words.
-struct WholeWordBash;
+/// A shell whose script is written here.
+struct OwnScript {
+    shell: &'static (dyn EnvCompleter + Sync),
+    /// The script; `VARIABLE` stands for the variable by which the program is asked.
+    script: &'static str,
+}
 
-/// Zsh, which puts a blank behind an address though its value is still to come.
-struct OpenEndedZsh;
+/// Bash takes words apart at `=` and `:`, puts a blank behind all that is alone, and keeps no blanks in words.
+static WHOLE_WORD_BASH: OwnScript = OwnScript { shell: &Bash, script: BASH };
+
+/// Zsh puts a blank behind an address though its value is still to come.
+static OPEN_ENDED_ZSH: OwnScript = OwnScript { shell: &Zsh, script: ZSH };
 
 const BASH: &str = r#"_catoptric() {
     local line="${COMP_LINE:0:COMP_POINT}" words=() piece gap prefix count=0 index
@@ -76,13 +83,13 @@ else
 fi
 "#;
 
-impl EnvCompleter for WholeWordBash {
+impl EnvCompleter for OwnScript {
     fn name(&self) -> &'static str {
-        Bash.name()
+        self.shell.name()
     }
 
     fn is(&self, name: &str) -> bool {
-        Bash.is(name)
+        self.shell.is(name)
     }
 
     fn write_registration(
@@ -93,7 +100,7 @@ impl EnvCompleter for WholeWordBash {
         _completer: &str,
         to: &mut dyn Write,
     ) -> io::Result<()> {
-        to.write_all(BASH.replace("VARIABLE", variable).as_bytes())
+        to.write_all(self.script.replace("VARIABLE", variable).as_bytes())
     }
 
     fn write_complete(
@@ -103,37 +110,6 @@ impl EnvCompleter for WholeWordBash {
         folder: Option<&Path>,
         to: &mut dyn Write,
     ) -> io::Result<()> {
-        Bash.write_complete(command, words, folder, to)
-    }
-}
-
-impl EnvCompleter for OpenEndedZsh {
-    fn name(&self) -> &'static str {
-        Zsh.name()
-    }
-
-    fn is(&self, name: &str) -> bool {
-        Zsh.is(name)
-    }
-
-    fn write_registration(
-        &self,
-        variable: &str,
-        _name: &str,
-        _bin: &str,
-        _completer: &str,
-        to: &mut dyn Write,
-    ) -> io::Result<()> {
-        to.write_all(ZSH.replace("VARIABLE", variable).as_bytes())
-    }
-
-    fn write_complete(
-        &self,
-        command: &mut Command,
-        words: Vec<OsString>,
-        folder: Option<&Path>,
-        to: &mut dyn Write,
-    ) -> io::Result<()> {
-        Zsh.write_complete(command, words, folder, to)
+        self.shell.write_complete(command, words, folder, to)
     }
 }

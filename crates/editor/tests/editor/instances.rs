@@ -85,6 +85,19 @@ fn instances_outlive_names_and_bodies() {
 }
 
 #[test]
+fn a_body_that_loses_its_name_loses_its_instances() {
+    let mut editor = with_instance();
+    let before = Scene::clone(editor.scene());
+    for place in [1, 0] {
+        let body = editor.edited().item(ScenePart::Body(place)).unwrap();
+        act(&mut editor, &Action::Rename { item: body, name: String::new() });
+    }
+    let [body, instance] = [0, 4].map(|place| editor.scene().bodies[place].clone());
+    assert_eq!((of(&instance), instance.shape, &instance.material), (None, body.shape, &body.material));
+    assert_sound(&mut editor, &before);
+}
+
+#[test]
 fn an_instance_is_made_its_own() {
     let mut editor = with_instance();
     let before = Scene::clone(editor.scene());

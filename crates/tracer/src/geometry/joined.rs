@@ -19,7 +19,8 @@ use crate::simd::{MOST_LANES, Mask as _, Width, Word as _};
 pub(crate) struct JoinTree {
     /// In postfix order.
     steps: Vec<JoinStep>,
-    /// The same without negations, each after those that it looks at.
+    /// The joining as unions and intersections alone, of parts or of what lies outside of them; each after those that it
+    /// joins.
     gates: Vec<JoinGate>,
     /// Number of parts.
     pub(crate) parts: u32,

@@ -73,19 +73,13 @@ impl AnswerPainter<'_> {
             ExactAnswer::ReflectionPoint { mirror, point, .. } => {
                 self.compared(point, &in_mirror("exact-reflection-point", *mirror));
             }
-            ExactAnswer::Focus { body, focal_length, paraxial, marginal } => {
+            ExactAnswer::Focus { body, focal_length, paraxial, marginal }
+            | ExactAnswer::LensFocus { body, focal_length, paraxial, marginal } => {
+                let is_lens = matches!(answer, ExactAnswer::LensFocus { .. });
+                let key = if is_lens { "exact-lens-focus" } else { "exact-focus" };
                 let center = scene.bodies.get(*body).map(|body| body.placement.world_from_body().translation);
                 self.dashed(center.unwrap_or(paraxial.exact), paraxial.exact);
-                let focus = texts.with("exact-focus", &[("length", short(texts, *focal_length).into())]);
-                self.compared(paraxial, &focus);
-                if let Some(marginal) = marginal {
-                    self.compared(marginal, texts.get("exact-marginal"));
-                }
-            }
-            ExactAnswer::LensFocus { body, focal_length, paraxial, marginal } => {
-                let center = scene.bodies.get(*body).map(|body| body.placement.world_from_body().translation);
-                self.dashed(center.unwrap_or(paraxial.exact), paraxial.exact);
-                let focus = texts.with("exact-lens-focus", &[("length", short(texts, *focal_length).into())]);
+                let focus = texts.with(key, &[("length", short(texts, *focal_length).into())]);
                 self.compared(paraxial, &focus);
                 if let Some(marginal) = marginal {
                     self.compared(marginal, texts.get("exact-marginal"));

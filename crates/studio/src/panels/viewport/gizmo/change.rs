@@ -57,8 +57,8 @@ impl GizmoChange {
         Placement { anchor, scale: self.scale(start) }
     }
 
-    /// The same change in the frame of a whole, for its parts. `around_from_world` leads there, `turn` is its rotation in
-    /// the world. In a whole that is stretched, turns and scales are those of the frame.
+    /// The change as the parts of a whole see it: in the frame that `around_from_world` leads to, whose rotation in the
+    /// world is `turn`. In a whole that is stretched, turns and scales are those of the frame.
     pub(crate) fn within(&self, around_from_world: DAffine3, turn: DMat3) -> Self {
         let point = |point: DVec3| around_from_world.transform_point3(point);
         let direction = |direction: DVec3| turn.transpose() * direction;
