@@ -10,7 +10,7 @@ use crate::simd::{MOST_LANES, Mask as _, SceneKernel, SimdKernel, Width, Word as
 use crate::transport::camera::{CameraRays, RenderCamera};
 use crate::transport::control::RenderControl;
 use crate::transport::counts::RayCounts;
-use crate::transport::integrator::whitted::{PacketRadiance, WhittedIntegrator};
+use crate::transport::integrator::whitted::WhittedIntegrator;
 use crate::transport::path::{PathObserver, PathState, RayQueue, SecondaryRays};
 use crate::transport::sampler::Sampler;
 use crate::transport::scene::RenderScene;
@@ -223,7 +223,7 @@ impl TileRenderer<'_> {
                 if by_stream {
                     self.levels[0].reflected.push(paths);
                 } else {
-                    light = self.trace_packet::<W, FULL>(w, paths, PacketSource::Eye, 0, &mut grown[0]).light;
+                    light = self.trace_packet::<W, FULL>(w, paths, PacketSource::Eye, 0, &mut grown[0]);
                 }
                 self.light.set::<W>(first, light);
                 if grown[0].lanes.any() {
@@ -270,8 +270,7 @@ impl TileRenderer<'_> {
         }
     }
 
-    /// Traces a stream of rays that wait at a level. In a function of its own: with the code for packets in one, both take
-    /// several times as long to compile.
+    /// Traces a stream of rays that wait at a level.
     fn trace_stream<W: Width, const FULL: bool>(&mut self, w: W, level: usize) {
         if !W::USES_HIERARCHY {
             // Said once more, so that it is not compiled.
@@ -286,11 +285,18 @@ impl TileRenderer<'_> {
         w.run(
             #[inline(always)]
             || {
+                let mut none = PathState::none(w);
                 let count = streams.begin(w, queue);
                 self.whitted.search(w, streams);
                 for at in (0..count).step_by(W::LANES) {
                     let paths = queue.look(w, at);
-                    self.whitted.li::<W, FULL>(w, &paths, PacketSource::Stream { streams, at }, next);
+                    let mut grown = SecondaryRayQueues { level: next, next: &mut none, waits: true };
+                    self.whitted.packet_li::<W, FULL>(
+                        w,
+                        &paths,
+                        PacketSource::Stream { streams, at },
+                        &mut grown,
+                    );
                 }
                 self.whitted.search_shadows(w, streams);
                 for at in (0..count).step_by(W::LANES) {
@@ -320,8 +326,7 @@ impl TileRenderer<'_> {
             || {
                 let [mut paths, mut grown] = paths.each_mut();
                 for level in level.. {
-                    let light =
-                        self.trace_packet::<W, FULL>(w, paths, PacketSource::Anywhere, level, grown).light;
+                    let light = self.trace_packet::<W, FULL>(w, paths, PacketSource::Anywhere, level, grown);
                     self.light.add(w, paths, light);
                     std::mem::swap(&mut paths, &mut grown);
                     if !paths.lanes.any() {
@@ -342,14 +347,31 @@ impl TileRenderer<'_> {
         from: PacketSource<'_>,
         level: usize,
         next: &mut PathState<W>,
-    ) -> PacketRadiance<W> {
+    ) -> Vector<W::R> {
         if self.levels.len() <= level {
             self.levels.resize_with(level + 1, DepthQueues::default);
         }
         next.lanes = w.mask(0);
         let waits = W::USES_HIERARCHY && self.whitted.shading.scene.goes_by_streams();
         let mut grown = SecondaryRayQueues { level: &mut self.levels[level], next, waits };
-        self.whitted.li::<W, FULL>(w, paths, from, &mut grown)
+        self.whitted.packet_li::<W, FULL>(w, paths, from, &mut grown)
+    }
+}
+
+impl WhittedIntegrator<'_> {
+    /// The light of [`WhittedIntegrator::li`]. In a function of its own, so that this code, which is most of what there is,
+    /// is compiled once and not for each place that rays come from.
+    fn packet_li<W: Width, const FULL: bool>(
+        &mut self,
+        w: W,
+        paths: &PathState<W>,
+        from: PacketSource<'_>,
+        secondary: &mut SecondaryRayQueues<'_, W>,
+    ) -> Vector<W::R> {
+        w.run(
+            #[inline(always)]
+            || self.li::<W, FULL>(w, paths, from, secondary).light,
+        )
     }
 }
 
@@ -407,20 +429,6 @@ impl DepthQueues {
     fn clear(&mut self) {
         self.reflected.clear();
         self.refracted.clear();
-    }
-}
-
-impl<W: Width> PathObserver<W> for DepthQueues {}
-
-impl<W: Width> SecondaryRays<W> for DepthQueues {
-    #[inline(always)]
-    fn reflected(&mut self, paths: PathState<W>) {
-        self.reflected.push(&paths);
-    }
-
-    #[inline(always)]
-    fn refracted(&mut self, paths: PathState<W>) {
-        self.refracted.push(&paths);
     }
 }
 
