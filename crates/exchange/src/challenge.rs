@@ -1,6 +1,8 @@
 //! Scenes of *The Ray Tracer Challenge* (Buck 2019), as its author publishes them.
 
+mod csg;
 mod material;
+mod object;
 mod pattern;
 mod read;
 mod shape;

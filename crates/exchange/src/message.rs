@@ -191,8 +191,8 @@ catoptric_scene::messages! {
         "there is no shape, and no definition, called `{name}`",
         "нет ни формы, ни определения с именем `{name}`";
     ShapesAre:
-        "to add there are camera, light, sphere, plane, cube, cylinder, cone and group",
-        "добавить можно `camera`, `light`, `sphere`, `plane`, `cube`, `cylinder`, `cone` и `group`";
+        "to add there are camera, light, sphere, plane, cube, cylinder, cone, group and csg",
+        "добавить можно `camera`, `light`, `sphere`, `plane`, `cube`, `cylinder`, `cone`, `group` и `csg`";
     UnknownTransform { name: String }:
         "there is no transform `{name}`",
         "преобразования `{name}` нет";
@@ -214,6 +214,18 @@ catoptric_scene::messages! {
     NotDrawn { name: String }:
         "`{name}` is not drawn",
         "`{name}` не рисуется";
+    PlaneOfCsg:
+        "a plane has no inside in the book, and cannot be an operand of a `csg`",
+        "в книге у плоскости нет внутренности, и операндом `csg` она быть не может";
+    HalfSpace:
+        "all that lies below it is taken",
+        "берётся всё, что под ней";
+    UnknownOperation { name: String }:
+        "there is no operation `{name}`",
+        "нет операции `{name}`";
+    OperationsAre:
+        "operations are `union`, `intersection` and `difference`",
+        "операции — `union`, `intersection` и `difference`";
     Flat:
         "the transform leaves nothing of the shape, or takes it to infinity",
         "преобразование ничего не оставляет от формы или уводит её в бесконечность";

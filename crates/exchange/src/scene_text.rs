@@ -89,26 +89,35 @@ impl SceneText {
         lights
     }
 
-    /// The bodies that are seen, with their materials; of other models than Phong's, that they are lost.
+    /// The bodies that are seen, with their materials; of compound ones and of other models than Phong's, that they are lost.
     pub(crate) fn bodies<'s>(&mut self, scene: &'s Scene) -> Vec<(Title, &'s Body, Cow<'s, Phong>)> {
         let mut bodies = Vec::new();
-        for (index, body) in scene.bodies.iter().enumerate().filter(|(_, body)| !body.hidden) {
-            let title = Title::Body(index + 1, body.name.clone());
+        for (title, body) in seen_bodies(scene) {
             if body.shape.is_compound() {
                 self.lose(Message::LosesParts { title });
-                continue;
-            }
-            match phong(scene, &body.material) {
-                Some(material) => {
-                    if material.pattern.texture.is_some() {
-                        self.lose(Message::LosesTexture { title: title.clone() });
-                    }
-                    bodies.push((title, body, material));
-                }
-                None => self.lose(Message::LosesMaterial { title }),
+            } else if let Some(material) = self.surface(scene, &body.material, &title) {
+                bodies.push((title, body, material));
             }
         }
         bodies
+    }
+
+    /// A material as Phong's coefficients, or that it is lost.
+    pub(crate) fn surface<'s>(
+        &mut self,
+        scene: &'s Scene,
+        choice: &'s MaterialChoice,
+        title: &Title,
+    ) -> Option<Cow<'s, Phong>> {
+        let material = phong(scene, choice);
+        match &material {
+            Some(phong) if phong.pattern.texture.is_some() => {
+                self.lose(Message::LosesTexture { title: title.clone() });
+            }
+            Some(_) => {}
+            None => self.lose(Message::LosesMaterial { title: title.clone() }),
+        }
+        material
     }
 
     /// The vertical angle of view, degrees.
@@ -128,6 +137,12 @@ impl SceneText {
         }
         Err(ExportError { lost: self.lost })
     }
+}
+
+/// The bodies that are seen.
+pub(crate) fn seen_bodies(scene: &Scene) -> impl Iterator<Item = (Title, &Body)> {
+    let seen = scene.bodies.iter().enumerate().filter(|(_, body)| !body.hidden);
+    seen.map(|(index, body)| (Title::Body(index + 1, body.name.clone()), body))
 }
 
 /// The material as Phong's coefficients, if it can be told by them.

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 use std::rc::Rc;
 
-use catoptric_scene::{Camera, Color, Diagnostics, Light, Projection, nearest};
+use catoptric_scene::{BodyPart, Camera, Color, Diagnostics, Light, Projection, nearest};
 use glam::{DAffine3, DVec3};
 
 use crate::camera::vertical_from_horizontal;
@@ -18,9 +18,9 @@ use crate::options::{DEFAULT_SIZE, ImportOptions, ImportedScene};
 /// The most parts that definitions may make: bodies, groups and transforms.
 const MOST_PARTS: usize = 200_000;
 /// What can be added, besides definitions.
-const SHAPES: [&str; 8] = ["camera", "light", "sphere", "plane", "cube", "cylinder", "cone", "group"];
+const SHAPES: [&str; 9] = ["camera", "light", "sphere", "plane", "cube", "cylinder", "cone", "group", "csg"];
 /// What the book has and a scene does not.
-const NOT_DRAWN: [&str; 5] = ["csg", "obj", "obj-file", "triangle", "smooth-triangle"];
+const NOT_DRAWN: [&str; 4] = ["obj", "obj-file", "triangle", "smooth-triangle"];
 
 /// Reads a scene. All errors are reported at once, but for those of the YAML, which end it.
 pub(crate) fn read(text: &str, options: &ImportOptions) -> Result<ImportedScene, Diagnostics> {
@@ -29,6 +29,7 @@ pub(crate) fn read(text: &str, options: &ImportOptions) -> Result<ImportedScene,
         definitions: HashMap::new(),
         camera: None,
         parts: 0,
+        operand: None,
         said: WarningFlags::default(),
     };
     if let Some(root) = parse(text, &mut reader.draft) {
@@ -50,7 +51,7 @@ pub(super) struct WarningFlags {
 
 /// The groups and definitions around an object.
 #[derive(Clone)]
-struct ObjectContext {
+pub(super) struct ObjectContext {
     world_from_object: DAffine3,
     /// The outermost material counts.
     material: Option<Rc<Node>>,
@@ -64,6 +65,8 @@ pub(super) struct ChallengeReader {
     camera: Option<Range<usize>>,
     /// How many parts were made.
     parts: usize,
+    /// What an operand of a `csg` consists of so far, while one is read.
+    pub(super) operand: Option<Vec<BodyPart>>,
     pub(super) said: WarningFlags,
 }
 
@@ -159,13 +162,14 @@ impl ChallengeReader {
     }
 
     /// Adds what a table describes: a shape, a group, or what a definition stands for.
-    fn add(&mut self, node: &Rc<Node>, outer: &ObjectContext) -> Option<()> {
+    pub(super) fn add(&mut self, node: &Rc<Node>, outer: &ObjectContext) -> Option<()> {
         self.part(&node.span)?;
         if outer.depth >= MOST_DEEP {
             return self.too_deep(&node.span);
         }
         let mut table = Table::open(node, "add", &mut self.draft)?;
-        let name_node = table.require(&["add"], &mut self.draft)?;
+        // Within others many programs say `type`.
+        let name_node = table.require(&["add", "type"], &mut self.draft)?;
         let name = table::name(&name_node, "add", &mut self.draft)?.to_owned();
         table.owner.clone_from(&name);
         match name.as_str() {
@@ -208,6 +212,9 @@ impl ChallengeReader {
                 }
             }
             return Some(());
+        }
+        if name == "csg" {
+            return self.csg(table, context, span);
         }
         if let Some(solids) = self.solids(name, &mut table, span) {
             table.end(&mut self.draft);

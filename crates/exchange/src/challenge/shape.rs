@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::rc::Rc;
 
-use catoptric_scene::{Body, Material, MaterialChoice, Placement, Shape};
+use catoptric_scene::{Body, BodyPart, Material, MaterialChoice, Placement, Shape};
 use glam::{DAffine3, DVec3};
 
 use crate::challenge::material::default_material;
@@ -117,6 +117,9 @@ impl ChallengeReader {
             return;
         }
         let is_plane = solid.shape == Shape::Plane;
+        if is_plane && self.operand.is_some() {
+            self.draft.unsupported(span, Message::PlaneOfCsg, Message::HalfSpace);
+        }
         let Some(placement) = solid.shape.placed(world_from_shape) else {
             self.draft.unsupported(span, Message::Sheared { name: name.to_owned() }, Message::LeftOut);
             return;
@@ -132,7 +135,12 @@ impl ChallengeReader {
         };
         let (shape, placement) = folded(solid.shape, placement);
         let material = MaterialChoice::Inline(Box::new(material));
-        self.draft.body(Body { shape, placement, material, ..Body::default() }, span);
+        match &mut self.operand {
+            Some(parts) => {
+                parts.push(BodyPart { shape, placement, material: Some(material), ..BodyPart::default() });
+            }
+            None => self.draft.body(Body { shape, placement, material, ..Body::default() }, span),
+        }
     }
 }
 

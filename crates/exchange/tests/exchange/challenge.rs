@@ -127,6 +127,65 @@ fn checkers_are_those_of_the_book() {
 }
 
 #[test]
+fn csg_is_a_joined_body() {
+    let found = read(
+        "- add: csg\n  operation: difference\n  transform:\n  - [scale, 2, 2, 2]\n  left:\n    type: cube\n    material: {color: [0, 1, 0], ambient: 1}\n\
+         \x20 right:\n    add: csg\n    operation: union\n    left:\n      type: sphere\n      transform:\n      - [scale, 0.5, 0.5, 0.5]\n      - [translate, 0, 0, -1]\n      material: {color: [1, 0, 0], ambient: 1}\n\
+         \x20   right:\n      type: group\n      children:\n      - add: sphere\n      - add: cube\n\
+         - add: light\n  at: [0, 0, -50]\n",
+    );
+    let body = found.scene.bodies.to_vec()[0].clone();
+    assert_eq!(body.shape, Shape::Difference);
+    assert_eq!(body.parts[0].shape, Shape::Cube { size: DVec3::splat(4.0) });
+    // What the first part is made of, the whole is.
+    assert_eq!(body.parts[0].material, None);
+    let [ball, group] = body.parts[1].parts.as_slice() else { panic!("{body:?}") };
+    assert_eq!((body.parts[1].shape, ball.shape), (Shape::Union, Shape::Sphere { radius: 1.0 }));
+    assert!(ball.placement.origin().abs_diff_eq(DVec3::new(0.0, 0.0, 2.0), 1e-12));
+    assert_eq!((group.shape, group.parts.len()), (Shape::Union, 2));
+
+    // In the hole of the cube, the ball that made it is seen, from inside.
+    let holed = |eye: f64| {
+        let text = format!(
+            "- add: camera\n  width: 1\n  height: 1\n  field-of-view: 0.01\n  from: [{eye}, 0, -5]\n  to: [{eye}, 0, 0]\n  up: [0, 1, 0]\n\
+             - add: light\n  at: [0, 50, 0]\n  intensity: [1, 1, 1]\n\
+             - add: csg\n  operation: difference\n  left:\n    type: cube\n    material: {{color: [0, 1, 0], ambient: 1, diffuse: 0, specular: 0}}\n\
+             \x20 right:\n    type: sphere\n    transform:\n    - [scale, 0.5, 0.5, 0.5]\n    - [translate, 0, 0, -1]\n    material: {{color: [1, 0, 0], ambient: 1, diffuse: 0, specular: 0}}\n"
+        );
+        pixel(&good(FORMAT, &text, &ImportOptions::default()), [1, 1], [0, 0])
+    };
+    assert_light(holed(0.4), [1.0, 0.0, 0.0]);
+    assert_light(holed(0.6), [0.0, 1.0, 0.0]);
+}
+
+#[test]
+fn csg_that_is_none_is_refused() {
+    let csg = |rest: &str| scene(&format!("- add: csg\n{rest}"));
+    let ball = "{add: sphere}";
+    assert_eq!(
+        bad(FORMAT, &csg(&format!("  operation: xor\n  left: {ball}\n  right: {ball}\n"))),
+        "9:14: error: there is no operation `xor`\n  help: operations are `union`, `intersection` and `difference`"
+    );
+    let missing = bad(FORMAT, &csg(&format!("  operation: union\n  left: {ball}\n")));
+    assert!(missing.contains("`right`"), "{missing}");
+    let plane = csg(&format!("  operation: difference\n  left: {ball}\n  right: {{add: plane}}\n"));
+    assert!(bad(FORMAT, &plane).contains("a plane has no inside in the book"));
+    let options = ImportOptions { is_approximate: true, ..ImportOptions::default() };
+    assert_eq!(good(FORMAT, &plane, &options).scene.bodies.to_vec()[0].parts[1].shape, Shape::Plane);
+    // Within itself, many times over.
+    let deep = format!(
+        "- define: x0\n  value: {ball}\n{}{CAMERA}- add: x40\n",
+        (0..40)
+            .map(|n| format!(
+                "- define: x{}\n  value: {{add: csg, operation: union, left: x{n}, right: x{n}}}\n",
+                n + 1
+            ))
+            .collect::<String>()
+    );
+    assert!(!bad(FORMAT, &deep).is_empty());
+}
+
+#[test]
 fn sheared_spheres_are_ellipsoids_and_sheared_cubes_are_refused() {
     let shape = |name: &str| scene(&format!("- add: {name}\n  transform:\n  - [shear, 1, 0, 0, 0, 0, 0]\n"));
     assert_eq!(good(FORMAT, &shape("sphere"), &ImportOptions::default()).scene.bodies.len(), 1);

@@ -5,6 +5,7 @@ use catoptric_scene::{
     Anchor, Body, Camera, Checker, CheckerSpace, Color, Light, Material, MaterialChoice, Pattern, Phong,
     Placement, Projection, Scene, Shape,
 };
+use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, render};
 use glam::DVec3;
 use proptest::prelude::*;
 
@@ -241,4 +242,80 @@ fn what_a_format_cannot_say_is_told_or_left_out() {
         let found = read(format, &written.text, &ImportOptions::default());
         assert!(found.is_ok(), "{format:?}: {}\n{}", found.unwrap_err(), written.text);
     }
+}
+
+#[test]
+fn bodies_of_parts_come_back_as_what_they_look_like() {
+    let text = r#"
+camera = { position = [1, 4, 9], target = [0, 0, 0] }
+environment = { background = [0, 0, 0], ambient = [0, 0, 0] }
+lights = [{ position = [4, 9, 6] }]
+
+[[bodies]]
+shape = "difference"
+position = [-2, 0.5, 0]
+rotation = [20, 30, 10]
+scale = [1, 1.5, 1]
+material = { color = [0.9, 0.2, 0.1], ambient = 0.0 }
+
+[[bodies.parts]]
+shape = "cube"
+size = [2, 2, 2]
+material = { checker = { color = [0.1, 0.1, 0.8], size = 0.4 }, ambient = 0.0 }
+
+[[bodies.parts]]
+shape = "cylinder"
+radius = 0.5
+height = 4
+position = [0, -2, 0]
+rotation = [0, 40, 0]
+
+[[bodies.parts]]
+shape = "intersection"
+position = [1, 1, 1]
+
+[[bodies.parts.parts]]
+shape = "sphere"
+radius = 0.9
+
+[[bodies.parts.parts]]
+shape = "cube"
+size = [1.2, 1.2, 1.2]
+rotation = [0, 45, 0]
+
+[[bodies]]
+shape = "group"
+position = [2, 0, 0]
+
+[[bodies.parts]]
+shape = "cone"
+radius = 1
+height = 2
+
+[[bodies.parts]]
+shape = "tube"
+radius = 0.6
+inner_radius = 0.4
+height = 1
+position = [0, -1.5, 1]
+material = { color = [0.1, 0.9, 0.2], ambient = 0.0 }
+"#;
+    let scene = catoptric_scene::read(text).into_result().unwrap().value;
+    let size = [64, 48];
+    let options = ExportOptions { size: Some(size), ..ExportOptions::default() };
+    let written = write(ForeignFormat::Challenge, &scene, &options).unwrap().text;
+    let found = read(ForeignFormat::Challenge, &written, &ImportOptions::default()).unwrap();
+    let picture = |scene: &Scene| {
+        let scene = RenderScene::build(scene).unwrap();
+        let settings = RenderSettings { width: size[0], height: size[1], samples: 1 };
+        render(&scene, settings, &RenderControl::default()).unwrap().picture
+    };
+    let pictures = [picture(&scene), picture(&found.scene)];
+    let (mut lit, mut unlike) = (0, 0);
+    for (x, y) in (0..size[0]).flat_map(|x| (0..size[1]).map(move |y| (x, y))) {
+        let [own, other] = pictures.each_ref().map(|picture| picture.pixel(x, y).unwrap());
+        lit += usize::from(own.iter().any(|&light| light > 0.01));
+        unlike += usize::from(own.iter().zip(other).any(|(own, other)| (own - other).abs() > 1e-3));
+    }
+    assert!(lit > 400 && unlike <= 3, "{unlike} of {lit} differ:\n{written}");
 }

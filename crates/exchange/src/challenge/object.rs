@@ -1,0 +1,301 @@
+//! Bodies as objects of the book.
+
+use catoptric_scene::{
+    Body, BodyPart, Checker, CheckerSpace, Color, Form, MaterialChoice, Placement, Scene, Shape,
+    rotation_degrees,
+};
+use glam::{DAffine3, DMat3, DQuat, DVec3};
+
+use crate::challenge::csg::OPERATIONS;
+use crate::challenge::shape::MIRROR;
+use crate::message::Message;
+use crate::phrase::Title;
+use crate::scene_text::{SceneText, components, decimal, three};
+
+/// Writes objects.
+pub(super) struct ObjectWriter<'s> {
+    pub(super) scene: &'s Scene,
+    /// Ambient light as a share of the sum of all lights.
+    pub(super) ambient_share: f64,
+    /// Whether ambient light falls on anything.
+    pub(super) has_ambient: bool,
+    pub(super) out: SceneText,
+}
+
+/// Where an object stands in the file.
+struct ObjectPlace {
+    /// In front of its first line, up to the name.
+    lead: String,
+    /// In front of the others.
+    indent: String,
+}
+
+impl ObjectPlace {
+    /// An item of a list.
+    fn item(indent: &str) -> Self {
+        Self { lead: format!("{indent}- add: "), indent: format!("{indent}  ") }
+    }
+
+    /// An operand.
+    fn operand(indent: &str) -> Self {
+        Self { lead: format!("{indent}type: "), indent: indent.to_owned() }
+    }
+}
+
+/// What stands around a part.
+#[derive(Clone, Copy)]
+struct PartContext<'s> {
+    title: &'s Title,
+    /// Of the wholes around, the outermost first.
+    around: &'s [Placement],
+    material: &'s MaterialChoice,
+}
+
+impl ObjectWriter<'_> {
+    /// Writes a body, or that it is lost.
+    pub(super) fn body(&mut self, title: &Title, body: &Body) {
+        let start = self.out.text.len();
+        self.out.line("");
+        let context = PartContext { title, around: &[], material: &body.material };
+        if self.form(&body.form(), context, &ObjectPlace::item("")).is_none() {
+            self.out.text.truncate(start);
+        }
+    }
+
+    fn part(&mut self, part: &BodyPart, context: PartContext<'_>, place: &ObjectPlace) -> Option<()> {
+        let material = part.material.as_ref().unwrap_or(context.material);
+        self.form(&part.form(), PartContext { material, ..context }, place)
+    }
+
+    fn form(&mut self, form: &Form<'_>, context: PartContext<'_>, place: &ObjectPlace) -> Option<()> {
+        if !form.shape.is_compound() {
+            return self.simple(form, context, place);
+        }
+        let around = [context.around, &[form.placement]].concat();
+        let context = PartContext { around: &around, ..context };
+        match (OPERATIONS.into_iter().find(|(_, shape)| *shape == form.shape), form.parts) {
+            (Some((operation, _)), parts @ [_, _, ..]) => {
+                self.joined(operation, (parts, context), Some(&form.placement), place)
+            }
+            (_, parts) => {
+                self.out.line(&format!("{}group", place.lead));
+                TransformList::of(&form.placement).write(&place.indent, &mut self.out);
+                self.out.line(&format!("{}children:", place.indent));
+                let item = ObjectPlace::item(&format!("{}  ", place.indent));
+                parts.iter().try_for_each(|part| self.part(part, context, &item))
+            }
+        }
+    }
+
+    /// Operands are two: of more, the first ones are an operand themselves.
+    fn joined(
+        &mut self,
+        operation: &str,
+        (parts, context): (&[BodyPart], PartContext<'_>),
+        placement: Option<&Placement>,
+        place: &ObjectPlace,
+    ) -> Option<()> {
+        let (right, left) = parts.split_last()?;
+        self.out.line(&format!("{}csg", place.lead));
+        self.out.line(&format!("{}operation: {operation}", place.indent));
+        if let Some(placement) = placement {
+            TransformList::of(placement).write(&place.indent, &mut self.out);
+        }
+        let operand = ObjectPlace::operand(&format!("{}  ", place.indent));
+        self.out.line(&format!("{}left:", place.indent));
+        match left {
+            [only] => self.part(only, context, &operand)?,
+            several => self.joined(operation, (several, context), None, &operand)?,
+        }
+        self.out.line(&format!("{}right:", place.indent));
+        self.part(right, context, &operand)
+    }
+
+    fn simple(&mut self, form: &Form<'_>, context: PartContext<'_>, place: &ObjectPlace) -> Option<()> {
+        let PartContext { title, around, material } = context;
+        let is_half_space = form.shape == Shape::Plane && !around.is_empty();
+        let shape = BookShape::of(form.sized_shape()).filter(|_| !is_half_space);
+        let Some(shape) = shape else {
+            self.out.lose(Message::LosesShape { title: title.clone() });
+            return None;
+        };
+        let material = self.out.surface(self.scene, material, title)?;
+        if material.tint != Color::WHITE && material.transmission > 0.0 {
+            self.out.lose(Message::LosesTint { title: title.clone() });
+        }
+        self.has_ambient |= material.ambient > 0.0;
+        let (out, indent) = (&mut self.out, &place.indent);
+        out.line(&format!("{}{}", place.lead, shape.name));
+        if let Some(ends) = shape.ends {
+            let [min, max] = ends.map(decimal);
+            out.line(&format!("{indent}min: {min}\n{indent}max: {max}\n{indent}closed: true"));
+        }
+        let mut moves = TransformList::default();
+        moves.translate(DVec3::Y * shape.shift);
+        moves.place(&form.placement, shape.scale);
+        moves.write(indent, out);
+        out.line(&format!("{indent}material:"));
+        match &material.pattern.checker {
+            Some(checker) => {
+                let placements = [around, &[form.placement]].concat();
+                pattern(material.pattern.color, checker, (&placements, &shape), indent, out);
+            }
+            None => {
+                out.line(&format!("{indent}  color: [{}]", components(material.pattern.color, ", ")));
+            }
+        }
+        for (key, value) in [
+            ("ambient", material.ambient * self.ambient_share),
+            ("diffuse", material.diffuse),
+            ("specular", material.specular),
+            ("shininess", material.shininess),
+            ("reflective", material.reflection()),
+            ("transparency", material.transmission),
+            ("refractive-index", material.ior),
+        ] {
+            out.line(&format!("{indent}  {key}: {}", decimal(value)));
+        }
+        Some(())
+    }
+}
+
+/// What the book calls a shape, its own keys, and where it has to be moved and how it has to be scaled to be the
+/// shape.
+struct BookShape {
+    name: &'static str,
+    ends: Option<[f64; 2]>,
+    shift: f64,
+    scale: DVec3,
+}
+
+impl BookShape {
+    fn of(shape: Shape) -> Option<Self> {
+        let plain = |name, scale| Self { name, ends: None, shift: 0.0, scale };
+        Some(match shape {
+            Shape::Sphere { radius } => plain("sphere", DVec3::splat(radius)),
+            Shape::Cube { size } => plain("cube", 0.5 * size),
+            Shape::Plane => plain("plane", DVec3::ONE),
+            Shape::Cylinder { radius, height } => {
+                Self { ends: Some([0.0, 1.0]), ..plain("cylinder", DVec3::new(radius, height, radius)) }
+            }
+            Shape::Cone { radius, top_radius, height } if radius == top_radius => {
+                return Self::of(Shape::Cylinder { radius, height });
+            }
+            // The book's cone is as wide as it is far from y = 0.
+            Shape::Cone { radius, top_radius, height } => {
+                let (wide, ends) = if radius > top_radius {
+                    (radius, [-1.0, -top_radius / radius])
+                } else {
+                    (top_radius, [radius / top_radius, 1.0])
+                };
+                let scale = DVec3::new(wide, height / (ends[1] - ends[0]), wide);
+                Self { name: "cone", ends: Some(ends.map(|end| end + 0.0)), shift: -ends[0], scale }
+            }
+            Shape::Paraboloid { .. }
+            | Shape::Union
+            | Shape::Intersection
+            | Shape::Difference
+            | Shape::Group => return None,
+        })
+    }
+}
+
+/// Turns about the book's X, then Y, then Z axis, radians.
+fn book_turn(rotation: DMat3) -> DVec3 {
+    let own = rotation_degrees(DQuat::from_mat3(&rotation).normalize());
+    DVec3::new(-own.x, -own.y, own.z).map(f64::to_radians)
+}
+
+/// A checkerboard of a shape, which stands in all of these, the outermost first. Cells that are mirrored in z have the
+/// other color.
+fn pattern(
+    even: Color,
+    checker: &Checker,
+    (placements, shape): (&[Placement], &BookShape),
+    indent: &str,
+    out: &mut SceneText,
+) {
+    out.line(&format!("{indent}  pattern:\n{indent}    type: checkers\n{indent}    colors:"));
+    for color in [checker.color, even] {
+        out.line(&format!("{indent}      - [{}]", components(color, ", ")));
+    }
+    let mut moves = TransformList::default();
+    moves.scale(DVec3::splat(checker.size));
+    match checker.space {
+        CheckerSpace::World => {
+            for placement in placements {
+                moves.translate(-(MIRROR * placement.origin()));
+                moves.rotate_back(book_turn(placement.rotation()));
+                moves.scale(placement.scale.recip());
+            }
+            moves.scale(shape.scale.recip());
+        }
+        CheckerSpace::Body => {
+            let frames = placements.iter().map(Placement::world_from_body);
+            let linear = frames.fold(DAffine3::IDENTITY, |around, frame| around * frame).matrix3;
+            let sizes = DVec3::new(linear.x_axis.length(), linear.y_axis.length(), linear.z_axis.length());
+            moves.scale((shape.scale * sizes).recip());
+        }
+    }
+    moves.translate(DVec3::Y * -shape.shift);
+    moves.write(&format!("{indent}    "), out);
+}
+
+/// A list of transforms, without those that do nothing.
+#[derive(Default)]
+struct TransformList(Vec<String>);
+
+impl TransformList {
+    fn of(placement: &Placement) -> Self {
+        let mut moves = Self::default();
+        moves.place(placement, DVec3::ONE);
+        moves
+    }
+
+    /// The scale of the shape itself comes first.
+    fn place(&mut self, placement: &Placement, scale: DVec3) {
+        self.scale(scale * placement.scale);
+        self.rotate(book_turn(placement.rotation()));
+        self.translate(MIRROR * placement.origin());
+    }
+
+    fn translate(&mut self, by: DVec3) {
+        if by != DVec3::ZERO {
+            self.0.push(format!("[translate, {}]", three(by, ", ")));
+        }
+    }
+
+    fn scale(&mut self, by: DVec3) {
+        if by != DVec3::ONE {
+            self.0.push(format!("[scale, {}]", three(by, ", ")));
+        }
+    }
+
+    fn turn(&mut self, axis: &str, angle: f64) {
+        if angle != 0.0 {
+            self.0.push(format!("[rotate-{axis}, {angle}]"));
+        }
+    }
+
+    fn rotate(&mut self, turn: DVec3) {
+        self.turn("x", turn.x);
+        self.turn("y", turn.y);
+        self.turn("z", turn.z);
+    }
+
+    fn rotate_back(&mut self, turn: DVec3) {
+        self.turn("z", -turn.z);
+        self.turn("y", -turn.y);
+        self.turn("x", -turn.x);
+    }
+
+    fn write(&self, indent: &str, out: &mut SceneText) {
+        if self.0.is_empty() {
+            return;
+        }
+        out.line(&format!("{indent}transform:"));
+        for item in &self.0 {
+            out.line(&format!("{indent}  - {item}"));
+        }
+    }
+}
