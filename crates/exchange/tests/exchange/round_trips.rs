@@ -247,6 +247,7 @@ fn what_a_format_cannot_say_is_told_or_left_out() {
 #[test]
 fn bodies_of_parts_come_back_as_what_they_look_like() {
     let text = r#"
+format = "catoptric/1"
 camera = { position = [1, 4, 9], target = [0, 0, 0] }
 environment = { background = [0, 0, 0], ambient = [0, 0, 0] }
 lights = [{ position = [4, 9, 6] }]
