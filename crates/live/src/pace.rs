@@ -23,18 +23,21 @@ pub(crate) struct Pace {
     /// What outlines and grid take beside the picture, milliseconds.
     overlays: f64,
     divisor: f64,
+    /// Pictures given up since the last that was finished.
+    given_up: u32,
 }
 
 impl Pace {
     pub(crate) fn new(budget: f64) -> Self {
         // Half a microsecond for a first guess.
-        Self { budget, per_pixel: 5e-4, overlays: 0.0, divisor: COARSEST }
+        Self { budget, per_pixel: 5e-4, overlays: 0.0, divisor: COARSEST, given_up: 0 }
     }
 
     /// Takes note of what a pass took.
     pub(crate) fn passed(&mut self, pixels: u64, milliseconds: f64) {
         /// Fewer pixels say little: starting and ending a pass takes time too.
         const ENOUGH: u64 = 200;
+        self.given_up = 0;
         if pixels < ENOUGH || !milliseconds.is_finite() {
             return;
         }
@@ -51,7 +54,14 @@ impl Pace {
     pub(crate) fn gave_up(&mut self, pixels: u64, milliseconds: f64) {
         /// Pixels that may be under way when nothing else is known of them.
         const UNDER_WAY: f64 = 512.0;
+        self.given_up = self.given_up.saturating_add(1);
         self.per_pixel = (2.0 * self.per_pixel).max(milliseconds / (pixels as f64 + UNDER_WAY));
+    }
+
+    /// How many times as long as usual the coarsest picture may take, up to eight: twice as long for each that was given up,
+    /// so that even slow scenes are seen while they move.
+    pub(crate) fn patience(&self) -> u32 {
+        1 << self.given_up.min(3)
     }
 
     /// Takes note of what outlines and grid took.
@@ -128,6 +138,18 @@ mod tests {
             size = pace.coarse(view);
         }
         (pace, size)
+    }
+
+    #[test]
+    fn patience_grows_until_a_picture_is_finished() {
+        let mut pace = Pace::new(20.0);
+        assert_eq!(pace.patience(), 1);
+        for times in [2, 4, 8] {
+            pace.gave_up(0, 1e3);
+            assert_eq!(pace.patience(), times);
+        }
+        pace.passed(1, 1e4);
+        assert_eq!(pace.patience(), 1);
     }
 
     #[test]

@@ -244,7 +244,11 @@ impl Worker {
     /// How long the first picture of this size may take though a newer one is asked for.
     pub(crate) fn patience(&self, size: [u32; 2]) -> Duration {
         let view = self.view.as_ref().map_or(size, |view| view.request.size);
-        if self.pace.can_be_coarser(view, size) { self.budget.mul_f64(OVERRUN) } else { LONGEST }
+        if self.pace.can_be_coarser(view, size) {
+            self.budget.mul_f64(OVERRUN)
+        } else {
+            LONGEST * self.pace.patience()
+        }
     }
 
     /// Takes the next step towards the full picture with all samples.
