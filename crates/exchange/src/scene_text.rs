@@ -55,9 +55,12 @@ pub(crate) struct SceneText {
 }
 
 impl SceneText {
-    /// Remembers that something cannot be said.
+    /// Remembers that something cannot be said; once, if it is said of several parts.
     pub(crate) fn lose(&mut self, message: Message) {
-        self.lost.push(message.into());
+        let sentence = message.into();
+        if self.lost.last() != Some(&sentence) {
+            self.lost.push(sentence);
+        }
     }
 
     /// Adds a line.

@@ -23,14 +23,16 @@ pub(crate) struct Pace {
     /// What outlines and grid take beside the picture, milliseconds.
     overlays: f64,
     divisor: f64,
-    /// Pictures given up since the last that was finished.
+    /// Whether the last picture could not have been coarser.
+    is_coarsest: bool,
+    /// Of those, pictures given up since the last that was finished.
     given_up: u32,
 }
 
 impl Pace {
     pub(crate) fn new(budget: f64) -> Self {
         // Half a microsecond for a first guess.
-        Self { budget, per_pixel: 5e-4, overlays: 0.0, divisor: COARSEST, given_up: 0 }
+        Self { budget, per_pixel: 5e-4, overlays: 0.0, divisor: COARSEST, is_coarsest: false, given_up: 0 }
     }
 
     /// Takes note of what a pass took.
@@ -54,7 +56,7 @@ impl Pace {
     pub(crate) fn gave_up(&mut self, pixels: u64, milliseconds: f64) {
         /// Pixels that may be under way when nothing else is known of them.
         const UNDER_WAY: f64 = 512.0;
-        self.given_up = self.given_up.saturating_add(1);
+        self.given_up += u32::from(self.is_coarsest);
         self.per_pixel = (2.0 * self.per_pixel).max(milliseconds / (pixels as f64 + UNDER_WAY));
     }
 
@@ -82,6 +84,7 @@ impl Pace {
             cost(divisor) <= share * available
         };
         self.divisor = possible().find(|&divisor| fits(divisor)).unwrap_or(coarsest(view));
+        self.is_coarsest = self.divisor >= coarsest(view);
         divided(view, self.divisor)
     }
 
@@ -143,8 +146,11 @@ mod tests {
     #[test]
     fn patience_grows_until_a_picture_is_finished() {
         let mut pace = Pace::new(20.0);
-        assert_eq!(pace.patience(), 1);
-        for times in [2, 4, 8] {
+        pace.coarse([16, 9]);
+        pace.gave_up(0, 1e4);
+        // The next picture may be coarser, and is sooner there.
+        assert_eq!((pace.patience(), pace.coarse(VIEW)), (1, [160, 90]));
+        for times in [2, 4, 8, 8] {
             pace.gave_up(0, 1e3);
             assert_eq!(pace.patience(), times);
         }

@@ -23,7 +23,7 @@ impl ChallengeReader {
         span: &Range<usize>,
     ) -> Option<()> {
         let operation = table.require(&["operation", "kind"], &mut self.draft);
-        let operands = ["left", "right"].map(|key| table.require(&[key], &mut self.draft));
+        let sides = ["left", "right"].map(|key| table.require(&[key], &mut self.draft));
         table.end(&mut self.draft);
         let operation = operation?;
         let name = table::name(&operation, "operation", &mut self.draft)?;
@@ -32,8 +32,9 @@ impl ChallengeReader {
             self.draft.error_with_help(&operation.span, message, Message::OperationsAre);
             return None;
         };
-        let [left, right] = operands;
-        let parts = vec![self.operand(&left?, context)?, self.operand(&right?, context)?];
+        let [left, right] = sides;
+        let [left, right] = [self.operand(&left?, context)?, self.operand(&right?, context)?];
+        let parts = operands(shape, left, right);
         let part = BodyPart { shape, parts, ..BodyPart::default() };
         match &mut self.operand {
             Some(around) => around.push(part),
@@ -54,6 +55,15 @@ impl ChallengeReader {
             _ => BodyPart { shape: Shape::Union, parts, ..BodyPart::default() },
         })
     }
+}
+
+/// Both operands as parts. Chains of one operation, which the book has to nest, become one list: a whole has as many parts
+/// as it likes, and is not as deep.
+fn operands(shape: Shape, left: BodyPart, right: BodyPart) -> Vec<BodyPart> {
+    // A − (B ∪ C) = A − B − C.
+    let alike = [shape, if shape == Shape::Difference { Shape::Union } else { shape }];
+    let alone = |part: BodyPart, alike| if part.shape == alike { part.parts } else { vec![part] };
+    [left, right].into_iter().zip(alike).flat_map(|(part, alike)| alone(part, alike)).collect()
 }
 
 /// A body of parts. What its first part is made of, the whole is.

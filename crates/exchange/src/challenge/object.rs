@@ -48,6 +48,7 @@ struct PartContext<'s> {
     title: &'s Title,
     /// Of the wholes around, the outermost first.
     around: &'s [Placement],
+    is_operand: bool,
     material: &'s MaterialChoice,
 }
 
@@ -56,7 +57,7 @@ impl ObjectWriter<'_> {
     pub(super) fn body(&mut self, title: &Title, body: &Body) {
         let start = self.out.text.len();
         self.out.line("");
-        let context = PartContext { title, around: &[], material: &body.material };
+        let context = PartContext { title, around: &[], is_operand: false, material: &body.material };
         if self.form(&body.form(), context, &ObjectPlace::item("")).is_none() {
             self.out.text.truncate(start);
         }
@@ -73,47 +74,51 @@ impl ObjectWriter<'_> {
         }
         let around = [context.around, &[form.placement]].concat();
         let context = PartContext { around: &around, ..context };
-        match (OPERATIONS.into_iter().find(|(_, shape)| *shape == form.shape), form.parts) {
-            (Some((operation, _)), parts @ [_, _, ..]) => {
-                self.joined(operation, (parts, context), Some(&form.placement), place)
-            }
-            (_, parts) => {
-                self.out.line(&format!("{}group", place.lead));
-                TransformList::of(&form.placement).write(&place.indent, &mut self.out);
-                self.out.line(&format!("{}children:", place.indent));
-                let item = ObjectPlace::item(&format!("{}  ", place.indent));
-                parts.iter().try_for_each(|part| self.part(part, context, &item))
-            }
+        if form.shape != Shape::Group && form.parts.len() > 1 {
+            return self.joined(form.shape, (form.parts, context), Some(&form.placement), place);
         }
+        self.out.line(&format!("{}group", place.lead));
+        TransformList::of(&form.placement).write(&place.indent, &mut self.out);
+        let none = if form.parts.is_empty() { " []" } else { "" };
+        self.out.line(&format!("{}children:{none}", place.indent));
+        let item = ObjectPlace::item(&format!("{}  ", place.indent));
+        form.parts.iter().try_for_each(|part| self.part(part, context, &item))
     }
 
-    /// Operands are two: of more, the first ones are an operand themselves.
+    /// Operands are two: of more parts, several are an operand together, so that few are nested.
     fn joined(
         &mut self,
-        operation: &str,
+        shape: Shape,
         (parts, context): (&[BodyPart], PartContext<'_>),
         placement: Option<&Placement>,
         place: &ObjectPlace,
     ) -> Option<()> {
-        let (right, left) = parts.split_last()?;
+        let (operation, _) = OPERATIONS.into_iter().find(|(_, known)| *known == shape)?;
         self.out.line(&format!("{}csg", place.lead));
         self.out.line(&format!("{}operation: {operation}", place.indent));
         if let Some(placement) = placement {
             TransformList::of(placement).write(&place.indent, &mut self.out);
         }
+        let (at, of_right) = match shape {
+            Shape::Difference => (1, Shape::Union),
+            _ => (parts.len() / 2, shape),
+        };
+        let (left, right) = parts.split_at_checked(at)?;
+        let context = PartContext { is_operand: true, ..context };
         let operand = ObjectPlace::operand(&format!("{}  ", place.indent));
-        self.out.line(&format!("{}left:", place.indent));
-        match left {
-            [only] => self.part(only, context, &operand)?,
-            several => self.joined(operation, (several, context), None, &operand)?,
+        for (key, shape, parts) in [("left", shape, left), ("right", of_right, right)] {
+            self.out.line(&format!("{}{key}:", place.indent));
+            match parts {
+                [only] => self.part(only, context, &operand)?,
+                several => self.joined(shape, (several, context), None, &operand)?,
+            }
         }
-        self.out.line(&format!("{}right:", place.indent));
-        self.part(right, context, &operand)
+        Some(())
     }
 
     fn simple(&mut self, form: &Form<'_>, context: PartContext<'_>, place: &ObjectPlace) -> Option<()> {
-        let PartContext { title, around, material } = context;
-        let is_half_space = form.shape == Shape::Plane && !around.is_empty();
+        let PartContext { title, around, is_operand, material } = context;
+        let is_half_space = form.shape == Shape::Plane && is_operand;
         let shape = BookShape::of(form.sized_shape()).filter(|_| !is_half_space);
         let Some(shape) = shape else {
             self.out.lose(Message::LosesShape { title: title.clone() });

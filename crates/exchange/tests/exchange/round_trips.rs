@@ -2,8 +2,8 @@
 
 use catoptric_exchange::{DEFAULT_SIZE, ExportOptions, ForeignFormat, ImportOptions, read, write};
 use catoptric_scene::{
-    Anchor, Body, Camera, Checker, CheckerSpace, Color, Light, Material, MaterialChoice, Pattern, Phong,
-    Placement, Projection, Scene, Shape,
+    Anchor, Body, BodyPart, Camera, Checker, CheckerSpace, Color, Light, Material, MaterialChoice, Pattern,
+    Phong, Placement, Projection, Scene, Shape,
 };
 use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, render};
 use glam::DVec3;
@@ -319,4 +319,50 @@ material = { color = [0.1, 0.9, 0.2], ambient = 0.0 }
         unlike += usize::from(own.iter().zip(other).any(|(own, other)| (own - other).abs() > 1e-3));
     }
     assert!(lit > 400 && unlike <= 3, "{unlike} of {lit} differ:\n{written}");
+}
+
+#[test]
+fn bodies_of_many_parts_come_back_as_deep_as_they_are() {
+    let ball = |x: usize| {
+        let anchor = Anchor::Frame { position: DVec3::X * x as f64, rotation_degrees: DVec3::ZERO };
+        BodyPart {
+            shape: Shape::SPHERE,
+            placement: Placement { anchor, ..Placement::default() },
+            ..BodyPart::default()
+        }
+    };
+    for shape in [Shape::Union, Shape::Intersection, Shape::Difference] {
+        for count in [0, 1, 2, 3, 22, Shape::MAX_PARTS] {
+            let mut scene = Scene::default();
+            scene.environment.background = Color::BLACK;
+            scene.environment.ambient = Color::BLACK;
+            let material = MaterialChoice::Inline(Box::new(Material::Phong(Phong::default())));
+            let parts = (0..count).map(ball).collect();
+            scene.bodies = vec![Body { shape, parts, material, ..Body::default() }].into();
+            let written = write(ForeignFormat::Challenge, &scene, &ExportOptions::default()).unwrap().text;
+            let found = read(ForeignFormat::Challenge, &written, &ImportOptions::default())
+                .unwrap_or_else(|errors| panic!("{errors}\n{written}"));
+            let bodies = found.scene.bodies.to_vec();
+            assert_eq!(bodies.len(), count.min(1));
+            if count > 1 {
+                assert_eq!((bodies[0].shape, bodies[0].parts.len()), (shape, count));
+                let places = bodies[0].parts.iter().map(|part| part.placement.origin().x);
+                assert!(places.eq((0..count).map(|x| x as f64)));
+            }
+        }
+    }
+}
+
+#[test]
+fn a_plane_is_written_in_a_group_and_not_as_an_operand() {
+    let scene = |shape: &str| {
+        let text = format!(
+            "format = \"catoptric/1\"\nenvironment = {{ background = [0, 0, 0], ambient = [0, 0, 0] }}\n[[bodies]]\nshape = \"{shape}\"\n[[bodies.parts]]\nshape = \"plane\"\n[[bodies.parts]]\nshape = \"sphere\"\n"
+        );
+        catoptric_scene::read(&text).into_result().unwrap().value
+    };
+    let options = ExportOptions::default();
+    assert!(write(ForeignFormat::Challenge, &scene("group"), &options).is_ok());
+    let error = write(ForeignFormat::Challenge, &scene("intersection"), &options).unwrap_err();
+    assert_eq!(error.lost.len(), 1, "{error}");
 }
