@@ -250,9 +250,12 @@ catoptric_scene::messages! {
     MeanColor:
         "the mean of its colors is taken",
         "берётся среднее его цветов";
-    PatternTurned:
-        "checkers that are stretched, or turned against the world and the body, are not drawn",
-        "растянутый шахматный узор и повёрнутый относительно мира и тела не рисуется";
+    PatternSheared:
+        "a pattern whose axes are not at right angles to each other is not drawn",
+        "узор, оси которого не под прямыми углами друг к другу, не рисуется";
+    PatternsTooDeep { most: String }:
+        "patterns within patterns are drawn {most} levels deep",
+        "узоры в узорах рисуются до {most} уровней";
     NoShadowFlag:
         "a body without a shadow is not drawn",
         "тело без тени не рисуется";
@@ -384,9 +387,9 @@ catoptric_scene::messages! {
     LosesHighlight { title: Title }:
         "{title}: the format has no such highlight",
         "{title}: такого блика в формате нет";
-    LosesChecker { title: Title }:
-        "{title}: the format has no such checker",
-        "{title}: такого шахматного узора в формате нет";
+    LosesPattern { title: Title }:
+        "{title}: the format has no such pattern",
+        "{title}: такого узора в формате нет";
 }
 
 #[cfg(test)]

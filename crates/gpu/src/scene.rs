@@ -14,7 +14,7 @@ pub struct GpuScene {
     scene_order: GpuArray,
     boxes: GpuArray,
     materials: GpuArray,
-    checkers: GpuArray,
+    solids: GpuArray,
     lights: GpuArray,
     pub(crate) pictures: GpuSceneImages,
     /// What bodies and boxes are up to date with, and whether the order of volumes is known.
@@ -33,7 +33,7 @@ impl GpuScene {
             scene_order: GpuArray::empty(gpu, "places of bodies").await?,
             boxes: GpuArray::empty(gpu, "boxes").await?,
             materials: GpuArray::compared(gpu, "materials").await?,
-            checkers: GpuArray::compared(gpu, "checkers").await?,
+            solids: GpuArray::compared(gpu, "solids").await?,
             lights: GpuArray::compared(gpu, "lights").await?,
             pictures: GpuSceneImages::empty(gpu).await?,
             state: None,
@@ -83,7 +83,7 @@ impl GpuScene {
             }
         }
         sum += self.materials.write(gpu, &arrays.materials()).await?;
-        sum += self.checkers.write(gpu, &arrays.checkers()).await?;
+        sum += self.solids.write(gpu, &arrays.solids()).await?;
         sum += self.lights.write(gpu, &arrays.lights()).await?;
         sum += self.pictures.follow(gpu, arrays.pictures()).await?;
         self.state = Some((render_scene.state(), is_ranked));
@@ -109,7 +109,7 @@ impl GpuScene {
 
     /// The arrays but the pictures, in the order of the shader's bindings.
     pub(crate) fn bindings(&self) -> [wgpu::BindingResource<'_>; 6] {
-        [&self.bodies, &self.scene_order, &self.boxes, &self.materials, &self.checkers, &self.lights]
+        [&self.bodies, &self.scene_order, &self.boxes, &self.materials, &self.solids, &self.lights]
             .map(GpuArray::binding)
     }
 }

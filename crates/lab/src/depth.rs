@@ -1,7 +1,7 @@
 //! The depth to which a scene needs to be traced, and materials that give more light than they get.
 
 use catoptric_optics::fresnel;
-use catoptric_scene::{Body, Camera, Color, Material, MaterialChoice, Pattern, Projection, Scene, Tracing};
+use catoptric_scene::{Body, Camera, Material, MaterialChoice, Pattern, Projection, Scene, Tracing};
 use catoptric_tracer::{RenderCamera, RenderControl, RenderError, RenderScene, WhittedIntegrator};
 use glam::{DVec3, UVec2};
 use rayon::prelude::*;
@@ -208,7 +208,7 @@ pub enum ExcessKind {
     Surface {
         /// Which channel.
         channel: usize,
-        /// k_d·C, the brighter color of a checker.
+        /// k_d·C, the brightest color of a pattern.
         diffuse: f64,
         /// k_r.
         reflection: f64,
@@ -257,10 +257,7 @@ const MOST_EXCESSES: usize = 64;
 /// What there is too much of in one material, beyond rounding.
 pub fn excess_of(material: &Material) -> impl Iterator<Item = (ExcessKind, f64)> {
     const ALL: f64 = 1.0 + 1e-9;
-    let brightest = |pattern: &Pattern| {
-        let other = pattern.checker.map_or(Color::BLACK, |checker| checker.color);
-        DVec3::from_array(pattern.brightest().to_array()).max(DVec3::from_array(other.to_array()))
-    };
+    let brightest = |pattern: &Pattern| DVec3::from_array(pattern.brightest().to_array());
     let (diffuse, reflection, transmission) = match material {
         Material::Phong(phong) => (
             phong.diffuse * brightest(&phong.pattern),

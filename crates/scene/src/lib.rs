@@ -40,8 +40,9 @@ pub use language::Language;
 pub use light::{Falloff, Light};
 pub use list::{CountedIter, List, ListIter, ListIterMut, ListSlices};
 pub use material::{
-    Attenuation, Checker, CheckerSpace, Coated, Conductor, Dielectric, Material, MaterialChoice, Matte,
-    MetalOptics, Mirror, Model, NamedMaterial, Pattern, Phong, RefractiveIndex, Share, ThinDielectric,
+    Attenuation, Coated, Conductor, Dielectric, Material, MaterialChoice, Matte, MetalOptics, Mirror, Model,
+    NamedMaterial, Pattern, PatternSpace, Phong, RefractiveIndex, Share, SolidKind, SolidTexture,
+    ThinDielectric,
 };
 pub use part::ScenePart;
 pub use placement::{Anchor, Placement};

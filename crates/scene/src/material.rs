@@ -7,6 +7,7 @@ mod matte;
 mod mirror;
 mod pattern;
 mod phong;
+mod solid;
 mod thin_dielectric;
 
 use catoptric_optics::Dispersion;
@@ -19,8 +20,9 @@ pub(crate) use crate::material::dielectric::SUBSTANCE_NAMES;
 pub use crate::material::dielectric::{Attenuation, Dielectric, RefractiveIndex};
 pub use crate::material::matte::Matte;
 pub use crate::material::mirror::Mirror;
-pub use crate::material::pattern::{Checker, CheckerSpace, Pattern};
+pub use crate::material::pattern::Pattern;
 pub use crate::material::phong::Phong;
+pub use crate::material::solid::{PatternSpace, SolidKind, SolidTexture};
 pub use crate::material::thin_dielectric::ThinDielectric;
 
 /// The material of a surface: its model with the model's own numbers, of which none is negative. Default Phong's.

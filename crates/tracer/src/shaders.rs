@@ -12,6 +12,8 @@ pub(crate) mod materials;
 pub(crate) mod pictures;
 pub(crate) mod specialize;
 
+use catoptric_scene::SolidKind;
+
 use crate::geometry::bvh::{TINY as BOX_TINY, WIDEN as BOX_WIDEN};
 use crate::geometry::query::closest::GRAZING;
 use crate::geometry::ray::{INWARDS, NO_BODY, NO_START, POINT_ROUNDING};
@@ -21,6 +23,7 @@ use crate::geometry::shape::solid::CAP_LEVEL;
 use crate::geometry::sphere::BoundingSphere;
 use crate::shaders::constants::{MOST_INTERVALS, MOST_RAYS, ShaderConstants};
 use crate::simd::vector::MOST_LIGHT;
+use crate::transport::texture::solid::SolidNode;
 use crate::transport::tile_rect::TILE;
 
 pub use crate::shaders::bytes::{CameraRaysBytes, FrameUniforms, SceneArrays, tile_rays};
@@ -58,7 +61,7 @@ const ALWAYS: &[&str] = &[
     include_str!("geometry/shape/plane.wgsl"),
     include_str!("geometry/body.wgsl"),
     include_str!("transport/light.wgsl"),
-    include_str!("transport/texture/checker.wgsl"),
+    include_str!("transport/texture/solid.wgsl"),
     include_str!("transport/camera.wgsl"),
     include_str!("transport/media.wgsl"),
     include_str!("geometry/query.wgsl"),
@@ -114,6 +117,10 @@ pub fn shader(special: &ShaderSpecialization) -> String {
         false => include_str!("transport/texture/none.wgsl"),
         true => include_str!("transport/texture.wgsl"),
     });
+    source.push_str(match special.any_solids {
+        false => include_str!("transport/texture/solid/checkers.wgsl"),
+        true => include_str!("transport/texture/solid/any.wgsl"),
+    });
     source.push_str(match special.physical.has(PhysicalFeatures::ABSORBS) {
         true => include_str!("transport/media/absorption.wgsl"),
         false => include_str!("transport/media/absorption/none.wgsl"),
@@ -152,6 +159,10 @@ fn constants(special: &ShaderSpecialization) -> ShaderConstants {
         ("CONE", ShapeKind::Cone as u32),
         ("PARABOLOID", ShapeKind::Paraboloid as u32),
         ("PLANE", ShapeKind::Plane as u32),
+        ("CHECKER", SolidKind::Checker as u32),
+        ("RINGS", SolidKind::Rings as u32),
+        ("GRADIENT", SolidKind::Gradient as u32),
+        ("MOST_SOLIDS", SolidNode::MOST as u32),
         ("SIDE", crate::geometry::shape::SIDE as u32),
         ("LOWER_CAP", crate::geometry::shape::LOWER_CAP as u32),
         ("UPPER_CAP", crate::geometry::shape::UPPER_CAP as u32),
@@ -173,6 +184,7 @@ fn constants(special: &ShaderSpecialization) -> ShaderConstants {
         ("SLAB_TINY", SLAB_TINY),
         ("BOX_TINY", BOX_TINY),
         ("BOX_WIDEN", BOX_WIDEN),
+        ("SOLID_BORDER", SolidNode::BORDER),
         ("LEAST_NORMAL", f32::MIN_POSITIVE),
         ("MOST_LIGHT", MOST_LIGHT),
     ];
@@ -184,7 +196,7 @@ fn constants(special: &ShaderSpecialization) -> ShaderConstants {
         ("HAS_PARABOLOIDS", special.has(ShapeKind::Paraboloid)),
         ("HAS_PLANES", special.has(ShapeKind::Plane)),
         ("HAS_TRANSPARENCY", special.media > 0),
-        ("HAS_CHECKERS", special.checkers),
+        ("HAS_SOLIDS", special.solids),
         ("HAS_MEMBERS", special.members),
         ("ASKS_EACH_START", special.asks_each_start),
         ("ABSORBS", special.physical.has(PhysicalFeatures::ABSORBS)),

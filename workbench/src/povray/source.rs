@@ -7,10 +7,10 @@ use std::fmt::Write as _;
 
 use anyhow::{Context as _, Result, bail, ensure};
 use catoptric_scene::{
-    BodyPart, Camera, Checker, CheckerSpace, Color, Falloff, Form, Light, Material, MaterialChoice, Phong,
-    Placement, Projection, Scene, Shape, Surroundings,
+    BodyPart, Camera, Color, Falloff, Form, Light, Material, MaterialChoice, PatternSpace, Phong, Placement,
+    Projection, Scene, Shape, SolidKind, SolidTexture, Surroundings,
 };
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 
 /// Where POV-Ray's laws of falloff begin; far nearer to a light than anything that it shows.
 const TINY_DISTANCE: f64 = 0.001;
@@ -165,16 +165,10 @@ fn surface(material: &Material) -> Result<(String, f64)> {
         "POV-Ray knows no ambient or diffuse light on a surface that lets all light through"
     );
     let [ambient, diffuse] = [ambient, diffuse].map(|part| if part == 0.0 { 0.0 } else { part / opacity });
-    let main = pigment(pattern.color, phong)?;
-    let pigment = match pattern.checker {
-        Some(Checker { space: CheckerSpace::Body, .. }) => {
-            bail!("POV-Ray is asked for the world's checkers only")
-        }
+    let pigment = match &pattern.solid {
         // The pattern is that of our axes.
-        Some(checker) => {
-            format!("checker {main} {} scale {} scale <1,1,-1>", pigment(checker.color, phong)?, checker.size)
-        }
-        None => main,
+        Some(solid) => solid_pigment(pattern.color, solid, DAffine3::from_scale(MIRROR), phong)?,
+        None => pigment(pattern.color, phong)?,
     };
     let texture = format!(
         "pigment {{ {pigment} }} finish {{ ambient {ambient} diffuse {diffuse} phong {specular} \
@@ -182,6 +176,40 @@ fn surface(material: &Material) -> Result<(String, f64)> {
         phong.reflection()
     );
     Ok((texture, ior))
+}
+
+/// A pattern in the axes of the one around it, or of the world.
+fn solid_pigment(
+    first: Color,
+    solid: &SolidTexture,
+    own_from_outer: DAffine3,
+    phong: &Phong,
+) -> Result<String> {
+    ensure!(solid.space == PatternSpace::World, "POV-Ray is asked for the world's patterns only");
+    let cells = solid.placement().world_from_body() * DAffine3::from_scale(DVec3::splat(solid.size));
+    let inner = |color: Color, inner: &Option<Box<SolidTexture>>| match inner {
+        Some(inner) => solid_pigment(color, inner, cells.inverse(), phong),
+        None => pigment(color, phong),
+    };
+    let [first, second] = [inner(first, &solid.first)?, inner(solid.color, &solid.second)?];
+    let plain = SolidTexture { size: solid.size, ..SolidTexture::new(SolidKind::Checker, solid.color) };
+    if *solid == plain && own_from_outer == DAffine3::from_scale(MIRROR) {
+        return Ok(format!("checker {first} {second} scale {} scale <1,1,-1>", solid.size));
+    }
+    // A whole value would count as 0.
+    let odd = |cell: &str| format!("function {{ 0.75*abs(mod(floor({cell}),2)) }}");
+    let halves = format!("pigment_map {{ [0.5 {first}] [0.5 {second}] }}");
+    let pattern = match solid.kind {
+        SolidKind::Checker => format!("checker pigment {{ {first} }} pigment {{ {second} }}"),
+        SolidKind::Stripes => format!("{} {halves}", odd("x+1e-6")),
+        SolidKind::Rings => format!("{} {halves}", odd("sqrt(x*x+z*z)+1e-6")),
+        SolidKind::Gradient => {
+            format!("function {{ x-floor(x) }} pigment_map {{ [0 {first}] [1 {second}] }}")
+        }
+    };
+    let DAffine3 { matrix3, translation } = own_from_outer * cells;
+    let rows = [matrix3.x_axis, matrix3.y_axis, matrix3.z_axis, translation].map(numbers);
+    Ok(format!("{pattern} matrix <{}>", rows.join(",")))
 }
 
 /// A color, and how much light it lets through: `rgbt` leaves that light as it is, `rgbf` gives it the color.

@@ -1,8 +1,8 @@
 //! Glass spheres in a grid, for measuring trees of many generations.
 
 use catoptric_scene::{
-    Body, Camera, Checker, Color, Light, Material, MaterialChoice, NamedMaterial, Pattern, Phong, Placement,
-    Projection, Scene, Shape, Tracing,
+    Body, Camera, Color, Light, Material, MaterialChoice, NamedMaterial, Pattern, Phong, Placement,
+    Projection, Scene, Shape, SolidTexture, Tracing,
 };
 use glam::DVec3;
 
@@ -16,7 +16,7 @@ pub(crate) fn glass_grid() -> Scene {
     let floor = Material::Phong(Phong {
         pattern: Pattern {
             color: Color::gray(0.85),
-            checker: Some(Checker { color: Color::gray(0.2), size: 1.0, ..Checker::default() }),
+            solid: Some(SolidTexture { color: Color::gray(0.2), size: 1.0, ..SolidTexture::default() }),
             ..Pattern::default()
         },
         diffuse: 0.7,

@@ -1,8 +1,8 @@
 //! Bodies as objects of the book.
 
 use catoptric_scene::{
-    Body, BodyPart, Checker, CheckerSpace, Color, Form, MaterialChoice, Placement, Scene, Shape,
-    rotation_degrees,
+    Body, BodyPart, Color, Form, MaterialChoice, PatternSpace, Placement, Scene, Shape, SolidKind,
+    SolidTexture, rotation_degrees,
 };
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 
@@ -140,10 +140,13 @@ impl ObjectWriter<'_> {
         moves.place(&form.placement, shape.scale);
         moves.write(indent, out);
         out.line(&format!("{indent}material:"));
-        match &material.pattern.checker {
-            Some(checker) => {
+        match &material.pattern.solid {
+            Some(solid) => {
                 let placements = [around, &[form.placement]].concat();
-                pattern(material.pattern.color, checker, (&placements, &shape), indent, out);
+                let surface = (placements.as_slice(), &shape);
+                out.line(&format!("{indent}  pattern:"));
+                let place = ObjectPlace::operand(&format!("{indent}    "));
+                pattern(material.pattern.color, solid, surface, None, &place, out);
             }
             None => {
                 out.line(&format!("{indent}  color: [{}]", components(material.pattern.color, ", ")));
@@ -211,50 +214,108 @@ fn book_turn(rotation: DMat3) -> DVec3 {
     DVec3::new(-own.x, -own.y, own.z).map(f64::to_radians)
 }
 
-/// A checkerboard of a shape, which stands in all of these, the outermost first. Cells that are mirrored in z have the
-/// other color.
+/// A pattern of a shape, which stands in all of these, the outermost first; `outer` is what the pattern around it
+/// does. Cells that are mirrored in z have the other color.
 fn pattern(
-    even: Color,
-    checker: &Checker,
-    (placements, shape): (&[Placement], &BookShape),
-    indent: &str,
+    first: Color,
+    solid: &SolidTexture,
+    surface: (&[Placement], &BookShape),
+    outer: Option<&TransformList>,
+    place: &ObjectPlace,
     out: &mut SceneText,
 ) {
-    out.line(&format!("{indent}  pattern:\n{indent}    type: checkers\n{indent}    colors:"));
-    for color in [checker.color, even] {
-        out.line(&format!("{indent}      - [{}]", components(color, ", ")));
+    let indent = &place.indent;
+    let kind = match solid.kind {
+        SolidKind::Checker => "checkers",
+        SolidKind::Stripes => "stripes",
+        SolidKind::Rings => "rings",
+        SolidKind::Gradient => "gradient",
+    };
+    let moves = TransformList::of_pattern(solid, surface);
+    out.line(&format!("{}{kind}\n{indent}colors:", place.lead));
+    let mut colors = [(first, &solid.first), (solid.color, &solid.second)];
+    if solid.kind == SolidKind::Checker {
+        colors.reverse();
     }
-    let mut moves = TransformList::default();
-    moves.scale(DVec3::splat(checker.size));
-    match checker.space {
-        CheckerSpace::World => {
-            for placement in placements {
-                moves.translate(-(MIRROR * placement.origin()));
-                moves.rotate_back(book_turn(placement.rotation()));
-                moves.scale(placement.scale.recip());
+    for (color, inner) in colors {
+        match inner {
+            Some(inner) => {
+                let lead = format!("{indent}  - type: ");
+                let place = ObjectPlace { lead, indent: format!("{indent}    ") };
+                pattern(color, inner, surface, Some(&moves), &place, out);
             }
-            moves.scale(shape.scale.recip());
-        }
-        CheckerSpace::Body => {
-            let frames = placements.iter().map(Placement::world_from_body);
-            let linear = frames.fold(DAffine3::IDENTITY, |around, frame| around * frame).matrix3;
-            let sizes = DVec3::new(linear.x_axis.length(), linear.y_axis.length(), linear.z_axis.length());
-            moves.scale((shape.scale * sizes).recip());
+            None => out.line(&format!("{indent}  - [{}]", components(color, ", "))),
         }
     }
-    moves.translate(DVec3::Y * -shape.shift);
-    moves.write(&format!("{indent}    "), out);
+    let moves = match outer {
+        Some(outer) => moves.within(outer),
+        None => moves,
+    };
+    moves.write(indent, out);
+}
+
+/// What the book does to a shape or a pattern.
+#[derive(Clone, Copy, PartialEq)]
+enum Transform {
+    Translate(DVec3),
+    Scale(DVec3),
+    /// About an axis, radians.
+    Rotate(char, f64),
+}
+
+impl Transform {
+    fn inverse(self) -> Self {
+        match self {
+            Self::Translate(by) => Self::Translate(-by),
+            Self::Scale(by) => Self::Scale(by.recip()),
+            Self::Rotate(axis, angle) => Self::Rotate(axis, -angle),
+        }
+    }
 }
 
 /// A list of transforms, without those that do nothing.
 #[derive(Default)]
-struct TransformList(Vec<String>);
+struct TransformList(Vec<Transform>);
 
 impl TransformList {
     fn of(placement: &Placement) -> Self {
         let mut moves = Self::default();
         moves.place(placement, DVec3::ONE);
         moves
+    }
+
+    /// From the space of a pattern to that of the shape.
+    fn of_pattern(solid: &SolidTexture, (placements, shape): (&[Placement], &BookShape)) -> Self {
+        let mut moves = Self::default();
+        moves.place(&solid.placement(), DVec3::splat(solid.size));
+        match solid.space {
+            PatternSpace::World => {
+                for placement in placements {
+                    moves.translate(-(MIRROR * placement.origin()));
+                    moves.rotate_back(book_turn(placement.rotation()));
+                    moves.scale(placement.scale.recip());
+                }
+                moves.scale(shape.scale.recip());
+            }
+            PatternSpace::Body => {
+                let frames = placements.iter().map(Placement::world_from_body);
+                let linear = frames.fold(DAffine3::IDENTITY, |around, frame| around * frame).matrix3;
+                let sizes =
+                    DVec3::new(linear.x_axis.length(), linear.y_axis.length(), linear.z_axis.length());
+                moves.scale((shape.scale * sizes).recip());
+            }
+        }
+        moves.translate(DVec3::Y * -shape.shift);
+        moves
+    }
+
+    /// The list of a pattern in the space of the one around it.
+    fn within(&self, outer: &Self) -> Self {
+        let same =
+            self.0.iter().rev().zip(outer.0.iter().rev()).take_while(|(own, other)| own == other).count();
+        let own = self.0.iter().take(self.0.len() - same).copied();
+        let back = outer.0.iter().take(outer.0.len() - same).rev().map(|step| step.inverse());
+        Self(own.chain(back).collect())
     }
 
     /// The scale of the shape itself comes first.
@@ -266,32 +327,32 @@ impl TransformList {
 
     fn translate(&mut self, by: DVec3) {
         if by != DVec3::ZERO {
-            self.0.push(format!("[translate, {}]", three(by, ", ")));
+            self.0.push(Transform::Translate(by));
         }
     }
 
     fn scale(&mut self, by: DVec3) {
         if by != DVec3::ONE {
-            self.0.push(format!("[scale, {}]", three(by, ", ")));
+            self.0.push(Transform::Scale(by));
         }
     }
 
-    fn turn(&mut self, axis: &str, angle: f64) {
+    fn turn(&mut self, axis: char, angle: f64) {
         if angle != 0.0 {
-            self.0.push(format!("[rotate-{axis}, {angle}]"));
+            self.0.push(Transform::Rotate(axis, angle));
         }
     }
 
     fn rotate(&mut self, turn: DVec3) {
-        self.turn("x", turn.x);
-        self.turn("y", turn.y);
-        self.turn("z", turn.z);
+        self.turn('x', turn.x);
+        self.turn('y', turn.y);
+        self.turn('z', turn.z);
     }
 
     fn rotate_back(&mut self, turn: DVec3) {
-        self.turn("z", -turn.z);
-        self.turn("y", -turn.y);
-        self.turn("x", -turn.x);
+        self.turn('z', -turn.z);
+        self.turn('y', -turn.y);
+        self.turn('x', -turn.x);
     }
 
     fn write(&self, indent: &str, out: &mut SceneText) {
@@ -299,8 +360,13 @@ impl TransformList {
             return;
         }
         out.line(&format!("{indent}transform:"));
-        for item in &self.0 {
-            out.line(&format!("{indent}  - {item}"));
+        for step in &self.0 {
+            let step = match *step {
+                Transform::Translate(by) => format!("translate, {}", three(by, ", ")),
+                Transform::Scale(by) => format!("scale, {}", three(by, ", ")),
+                Transform::Rotate(axis, angle) => format!("rotate-{axis}, {angle}"),
+            };
+            out.line(&format!("{indent}  - [{step}]"));
         }
     }
 }

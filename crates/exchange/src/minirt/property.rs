@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use catoptric_scene::{Checker, CheckerSpace, Color, Material, Pattern, Phong};
+use catoptric_scene::{Color, Material, Pattern, PatternSpace, Phong, SolidTexture};
 use glam::DVec3;
 
 use crate::dialect::Dialect;
@@ -21,7 +21,7 @@ pub(super) struct Finish {
     specular: Option<f64>,
     shininess: Option<f64>,
     reflection: f64,
-    checker: Option<Checker>,
+    checker: Option<SolidTexture>,
 }
 
 impl Finish {
@@ -87,7 +87,7 @@ impl Finish {
         let default = Phong::default();
         let specular = self.specular.unwrap_or(if self.shininess.is_some() { HIGHLIGHT } else { 0.0 });
         Material::Phong(Phong {
-            pattern: Pattern { checker: self.checker, ..Pattern::from(color) },
+            pattern: Pattern { solid: self.checker.clone(), ..Pattern::from(color) },
             ambient: own,
             diffuse: own,
             specular,
@@ -110,12 +110,12 @@ impl Finish {
     }
 }
 
-fn checker() -> Checker {
-    Checker { space: CheckerSpace::Body, ..Checker::default() }
+fn checker() -> SolidTexture {
+    SolidTexture { space: PatternSpace::Body, ..SolidTexture::default() }
 }
 
 /// `R,G,B`, `R,G,B:size`, or nothing.
-fn read_checker(value: &str, span: &Range<usize>, draft: &mut Draft) -> Option<Checker> {
+fn read_checker(value: &str, span: &Range<usize>, draft: &mut Draft) -> Option<SolidTexture> {
     let mut checker = checker();
     if value.is_empty() {
         return Some(checker);

@@ -1,6 +1,6 @@
 //! Writing miniRT's scenes, as the subject has them.
 
-use catoptric_scene::{Body, Camera, Checker, CheckerSpace, Color, Phong, Scene, Shape};
+use catoptric_scene::{Body, Camera, Color, PatternSpace, Phong, Scene, Shape, SolidKind, SolidTexture};
 use glam::{DMat3, DVec3};
 
 use crate::camera::{horizontal_from_vertical, up_for};
@@ -117,10 +117,10 @@ fn element(title: &Title, body: &Body, material: &Phong, out: &mut SceneText) {
     // The reader takes what a mirror reflects from its own light.
     let own = 1.0 - reflection;
     let factor = if own > 0.0 { material.diffuse / own } else { 1.0 };
-    let checker = material.pattern.checker;
-    let brightest_cell =
-        checker.map_or(0.0, |checker| brightest(checker.color)).max(brightest(material.pattern.color));
-    if brightest_cell * factor > 1.0 + 1e-12 || reflection > 1.0 || (own <= 0.0 && material.diffuse > 0.0) {
+    if brightest(material.pattern.brightest()) * factor > 1.0 + 1e-12
+        || reflection > 1.0
+        || (own <= 0.0 && material.diffuse > 0.0)
+    {
         out.lose(Message::LosesColor { title: title.clone() });
     }
     let mut line = format!("{geometry} {}", codes(times(material.pattern.color, factor)));
@@ -137,11 +137,11 @@ fn element(title: &Title, body: &Body, material: &Phong, out: &mut SceneText) {
             decimal(material.shininess)
         );
     }
-    if let Some(checker) = checker {
-        if is_of_body(&checker, body) {
-            line += &format!(" checker={}:{}", codes(times(checker.color, factor)), decimal(checker.size));
+    if let Some(solid) = &material.pattern.solid {
+        if is_of_body(solid, body) {
+            line += &format!(" checker={}:{}", codes(times(solid.color, factor)), decimal(solid.size));
         } else {
-            out.lose(Message::LosesChecker { title: title.clone() });
+            out.lose(Message::LosesPattern { title: title.clone() });
         }
     }
     out.line(&line);
@@ -158,12 +158,16 @@ fn is_shortest(turn: DMat3) -> bool {
     arc.abs_diff_eq(turn, 1e-9)
 }
 
-/// Whether cells are those of the body's own frame.
-fn is_of_body(checker: &Checker, body: &Body) -> bool {
-    if checker.space == CheckerSpace::Body {
+/// Whether a pattern is a checkerboard of the body's own frame.
+fn is_of_body(solid: &SolidTexture, body: &Body) -> bool {
+    let SolidTexture { color, size, space, .. } = *solid;
+    if *solid != (SolidTexture { size, space, ..SolidTexture::new(SolidKind::Checker, color) }) {
+        return false;
+    }
+    if space == PatternSpace::Body {
         return true;
     }
-    let cells = body.placement.origin() / checker.size;
+    let cells = body.placement.origin() / size;
     let is_turned = !body.placement.rotation().abs_diff_eq(DMat3::IDENTITY, 1e-12);
     !is_turned && cells == cells.round() && cells.element_sum().rem_euclid(2.0) == 0.0
 }

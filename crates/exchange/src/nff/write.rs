@@ -39,7 +39,7 @@ pub(crate) fn write(scene: &Scene, options: &ExportOptions) -> SceneText {
         for (is_lost, message) in [
             (material.ambient > 0.0 && has_ambient_light, Message::LosesBodyAmbient { title: title.clone() }),
             (material.reflection() != material.specular, Message::LosesReflection { title: title.clone() }),
-            (material.pattern.checker.is_some(), Message::LosesChecker { title: title.clone() }),
+            (material.pattern.solid.is_some(), Message::LosesPattern { title: title.clone() }),
             (
                 material.transmission > 0.0 && material.tint != Color::WHITE,
                 Message::LosesTint { title: title.clone() },

@@ -1,7 +1,7 @@
 //! The Ray Tracer Challenge: the book's own numbers, transforms, definitions, limits.
 
 use catoptric_exchange::{ForeignFormat, ImportOptions};
-use catoptric_scene::{CheckerSpace, Severity, Shape};
+use catoptric_scene::{PatternSpace, Severity, Shape};
 use glam::DVec3;
 
 use crate::common::{assert_light, bad, count, good, pixel};
@@ -105,23 +105,23 @@ fn checkers_are_those_of_the_book() {
     let checker = |found: &catoptric_exchange::ImportedScene| {
         let body = found.scene.bodies.to_vec()[0].clone();
         let material = found.scene.material(&body.material).unwrap().as_phong().unwrap().clone();
-        (material.pattern.color.r, material.pattern.checker.unwrap())
+        (material.pattern.color.r, material.pattern.solid.clone().unwrap())
     };
     // ⌊x⌋ + ⌊z⌋ is even for x and z in 0…1 of the book: white there, thus black at (0.5, −0.5) mirrored back.
     let (even, cells) = checker(&plane("", ""));
-    assert_eq!((even, cells.size, cells.space), (0.0, 1.0, CheckerSpace::World));
+    assert_eq!((even, cells.size, cells.space), (0.0, 1.0, PatternSpace::World));
     let (even, cells) = checker(&plane(
         "",
         "      transform:\n      - [scale, 0.5, 0.5, 0.5]\n      - [translate, 0.5, 0, 0]\n",
     ));
     assert_eq!((even, cells.size), (1.0, 0.5));
     let (_, cells) = checker(&plane("  transform:\n  - [rotate-y, 0.5]\n", ""));
-    assert_eq!(cells.space, CheckerSpace::Body);
-    let stripes = scene(
-        "- add: sphere\n  material:\n    pattern:\n      type: stripes\n      colors: [[1, 1, 1], [0, 0, 0]]\n",
+    assert_eq!(cells.space, PatternSpace::Body);
+    let blended = scene(
+        "- add: sphere\n  material:\n    pattern:\n      type: blended\n      colors: [[1, 1, 1], [0, 0, 0]]\n",
     );
-    assert_eq!(bad(FORMAT, &stripes), "11:13: error: the pattern `stripes` is not drawn");
-    let found = good(FORMAT, &stripes, &ImportOptions { is_approximate: true, ..ImportOptions::default() });
+    assert_eq!(bad(FORMAT, &blended), "11:13: error: the pattern `blended` is not drawn");
+    let found = good(FORMAT, &blended, &ImportOptions { is_approximate: true, ..ImportOptions::default() });
     let material = found.scene.material(&found.scene.bodies.to_vec()[0].material).unwrap().clone();
     assert_eq!(material.as_phong().unwrap().pattern.color.r, 0.5);
 }

@@ -13,4 +13,5 @@ mod common;
 mod fuzz;
 mod minirt;
 mod nff;
+mod patterns;
 mod round_trips;

@@ -105,7 +105,7 @@ fn bonus_numbers_and_lines_of_properties_are_read() {
         found.scene.bodies.iter().map(|body| found.scene.material(&body.material).unwrap()).collect();
     let phong = |index: usize| materials[index].as_phong().unwrap();
     assert_eq!((phong(0).shininess, phong(0).specular, phong(0).reflection()), (500.0, 0.5, 0.5));
-    assert!(phong(0).pattern.checker.is_some());
+    assert!(phong(0).pattern.solid.is_some());
     assert_eq!((phong(1).reflection(), phong(1).diffuse), (0.25, 0.75));
 }
 

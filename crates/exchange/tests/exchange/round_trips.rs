@@ -2,8 +2,8 @@
 
 use catoptric_exchange::{DEFAULT_SIZE, ExportOptions, ForeignFormat, ImportOptions, read, write};
 use catoptric_scene::{
-    Anchor, Body, BodyPart, Camera, Checker, CheckerSpace, Color, Light, Material, MaterialChoice, Pattern,
-    Phong, Placement, Projection, Scene, Shape,
+    Anchor, Body, BodyPart, Camera, Color, Light, Material, MaterialChoice, Pattern, PatternSpace, Phong,
+    Placement, Projection, Scene, Shape, SolidKind, SolidTexture,
 };
 use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, render};
 use glam::DVec3;
@@ -45,8 +45,12 @@ fn shape() -> impl Strategy<Value = Shape> {
 fn phong() -> impl Strategy<Value = Phong> {
     (color(), share(), share(), length(), share(), proptest::option::of((color(), length()))).prop_map(
         |(color, diffuse, specular, shininess, reflection, checker)| {
-            let checker = checker.map(|(color, size)| Checker { color, size, space: CheckerSpace::Body });
-            let pattern = Pattern { checker, ..Pattern::from(color) };
+            let checker = checker.map(|(color, size)| SolidTexture {
+                size,
+                space: PatternSpace::Body,
+                ..SolidTexture::new(SolidKind::Checker, color)
+            });
+            let pattern = Pattern { solid: checker, ..Pattern::from(color) };
             Phong {
                 pattern,
                 ambient: 0.0,
@@ -92,11 +96,7 @@ fn fits(format: ForeignFormat, body: &Body) -> bool {
     let Some(phong) = phong_of(body) else { return false };
     match format {
         ForeignFormat::MiniRt => {
-            let brightest = [Some(phong.pattern.color), phong.pattern.checker.map(|checker| checker.color)]
-                .into_iter()
-                .flatten()
-                .flat_map(Color::to_array)
-                .fold(0.0, f64::max);
+            let brightest = phong.pattern.brightest().to_array().into_iter().fold(0.0, f64::max);
             let is_shape = !matches!(body.shape, Shape::Cube { .. })
                 && !matches!(body.shape, Shape::Cone { top_radius, .. } if top_radius != 0.0);
             is_shape && phong.reflection() < 1.0 && brightest * phong.diffuse <= 1.0 - phong.reflection()
@@ -105,7 +105,7 @@ fn fits(format: ForeignFormat, body: &Body) -> bool {
         ForeignFormat::Nff => {
             matches!(body.shape, Shape::Sphere { .. })
                 && phong.reflection() == phong.specular
-                && phong.pattern.checker.is_none()
+                && phong.pattern.solid.is_none()
         }
     }
 }
@@ -182,8 +182,8 @@ fn assert_equal(format: ForeignFormat, scene: &Scene, found: &Scene) {
             [phong.specular, shininess, phong.reflection(), color[0], color[1], color[2]]
         };
         let mut b = b.clone();
-        assert_eq!(a.pattern.checker.is_some(), b.pattern.checker.is_some());
-        if let Some((own, other)) = a.pattern.checker.zip(b.pattern.checker.as_mut()) {
+        assert_eq!(a.pattern.solid.is_some(), b.pattern.solid.is_some());
+        if let Some((own, other)) = a.pattern.solid.as_ref().zip(b.pattern.solid.as_mut()) {
             assert!(near(own.size, other.size));
             let is_even = |color: Color| {
                 color.to_array().into_iter().zip(a.pattern.color.to_array()).all(|(a, b)| near(a, b))
@@ -214,7 +214,7 @@ proptest! {
                     && let Material::Phong(phong) = &mut **material
                 {
                     phong.reflection = Some(phong.specular);
-                    phong.pattern.checker = None;
+                    phong.pattern.solid = None;
                 }
             }
         }

@@ -2,8 +2,8 @@
 
 use catoptric_gpu::Gpu;
 use catoptric_scene::{
-    Anchor, Attenuation, Body, BodyPart, Checker, Color, Dielectric, Light, MaterialChoice, Pattern, Phong,
-    Placement, Projection, Scene, Shape,
+    Anchor, Attenuation, Body, BodyPart, Color, Dielectric, Light, MaterialChoice, Pattern, Phong, Placement,
+    Projection, Scene, Shape, SolidTexture,
 };
 use glam::DVec3;
 
@@ -21,8 +21,8 @@ fn joined(shape: Shape, at: DVec3, parts: Vec<BodyPart>, material: MaterialChoic
 
 fn phong(color: [f64; 3], reflection: f64, transmission: f64) -> MaterialChoice {
     let [r, g, b] = color;
-    let checker = (reflection == 0.0).then(Checker::default);
-    let pattern = Pattern { checker, ..Color { r, g, b }.into() };
+    let checker = (reflection == 0.0).then(SolidTexture::default);
+    let pattern = Pattern { solid: checker, ..Color { r, g, b }.into() };
     let reflection = Some(reflection);
     MaterialChoice::own(Phong { pattern, reflection, transmission, ior: 1.4, ..Phong::default() })
 }

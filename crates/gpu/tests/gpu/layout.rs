@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use catoptric_picture::Picture;
 use catoptric_scene::{
-    Body, BodyPart, Camera, Checker, Color, Environment, Image, Light, Material, MaterialChoice, Pattern,
-    Phong, Placement, Projection, Scene, Shape, Sky, Surroundings,
+    Body, BodyPart, Camera, Color, Environment, Image, Light, Material, MaterialChoice, Pattern, Phong,
+    Placement, Projection, Scene, Shape, Sky, SolidTexture, Surroundings,
 };
 use catoptric_tracer::shaders::{
     AtlasTexel, CameraRaysBytes, FILM_HEAD, FILM_PIXEL, FrameUniforms, PhysicalFeatures, SceneArrays,
@@ -47,7 +47,7 @@ fn scene(bodies: usize) -> Scene {
     let material = Material::Phong(Phong {
         pattern: Pattern {
             color: Color { r: 0.11, g: 0.12, b: 0.13 },
-            checker: Some(Checker { size: 0.5, ..Checker::default() }),
+            solid: Some(SolidTexture { size: 0.5, ..SolidTexture::default() }),
             ..Pattern::default()
         },
         ambient: 0.14,
@@ -76,7 +76,7 @@ fn records_have_the_size_of_the_shaders() {
     let arrays = SceneArrays(&two);
     assert_eq!(layout(&few, "Body").1 as usize * 2, arrays.bodies().len());
     assert_eq!(layout(&few, "Material").1 as usize, arrays.materials().len());
-    assert_eq!(layout(&few, "Checker").1 as usize * 2, arrays.checkers().len());
+    assert_eq!(layout(&few, "Solid").1 as usize * 2, arrays.solids().len());
     assert_eq!(layout(&few, "Light").1 as usize, arrays.lights().len());
     assert_eq!(arrays.boxes().len(), 2 * 16);
     assert_eq!(arrays.scene_order(true).len(), 2 * 8);

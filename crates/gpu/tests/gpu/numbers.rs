@@ -1,8 +1,8 @@
 //! Numbers that look random, and scenes made of them.
 
 use catoptric_scene::{
-    Attenuation, Body, Checker, Coated, Color, Conductor, Dielectric, Falloff, Light, Material,
-    MaterialChoice, Matte, MetalOptics, Mirror, Pattern, Phong, Placement, RefractiveIndex, Scene, Shape,
+    Attenuation, Body, Coated, Color, Conductor, Dielectric, Falloff, Light, Material, MaterialChoice, Matte,
+    MetalOptics, Mirror, Pattern, Phong, Placement, RefractiveIndex, Scene, Shape, SolidKind, SolidTexture,
 };
 use glam::DVec3;
 
@@ -40,10 +40,26 @@ impl Numbers {
         if self.below(2) == 0 { 0.0 } else { self.between(0.05, 0.9) }
     }
 
+    /// A checkerboard as often as any other pattern.
+    fn solid(&mut self) -> SolidTexture {
+        let plain = SolidTexture { size: 0.3, ..SolidTexture::new(SolidKind::Checker, self.color()) };
+        if self.below(2) == 0 {
+            return plain;
+        }
+        let kind = SolidKind::ALL[self.below(4) as usize];
+        let outer = SolidTexture { kind, rotation_degrees: self.point(90.0), ..plain.clone() };
+        match self.below(3) {
+            0 => outer,
+            1 => SolidTexture { first: Some(Box::new(plain)), ..outer },
+            _ => {
+                SolidTexture { second: Some(Box::new(SolidTexture { size: 0.1, ..outer.clone() })), ..outer }
+            }
+        }
+    }
+
     pub(crate) fn material(&mut self) -> Material {
-        let checker =
-            (self.below(2) == 0).then(|| Checker { color: self.color(), size: 0.3, ..Checker::default() });
-        let pattern = Pattern { color: self.color(), checker, texture: None };
+        let solid = (self.below(2) == 0).then(|| self.solid());
+        let pattern = Pattern { color: self.color(), solid, texture: None };
         let roughness = self.roughness();
         match self.below(8) {
             0 => Conductor { roughness, ..Conductor::default() }.into(),

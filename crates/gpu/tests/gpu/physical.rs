@@ -3,8 +3,8 @@
 
 use catoptric_picture::{Difference, Picture};
 use catoptric_scene::{
-    Attenuation, Body, Checker, Coated, Color, Conductor, Dielectric, Example, Light, Material,
-    MaterialChoice, Matte, Mirror, Pattern, Phong, Placement, Projection, RefractiveIndex, Scene, Shape,
+    Attenuation, Body, Coated, Color, Conductor, Dielectric, Example, Light, Material, MaterialChoice, Matte,
+    Mirror, Pattern, Phong, Placement, Projection, RefractiveIndex, Scene, Shape, SolidTexture,
 };
 use glam::DVec3;
 
@@ -76,11 +76,11 @@ fn close_by(material: Material) -> Scene {
 fn materials_close_by_are_those_of_the_cpu() {
     let Some(card) = card("materials_close_by_are_those_of_the_cpu") else { return };
     let amber = Color { r: 0.9, g: 0.5, b: 0.1 };
-    let checker = Some(Checker { color: amber, size: 0.3, ..Checker::default() });
+    let checker = Some(SolidTexture { color: amber, size: 0.3, ..SolidTexture::default() });
     let attenuation = Attenuation { color: amber, distance: 0.5 };
     let tinted = |roughness| Dielectric { attenuation, roughness, ..Dielectric::default() };
     let splitting = RefractiveIndex::Own { ior: 1.5, abbe: 20.0 };
-    let pattern = || Pattern { checker, ..Pattern::default() };
+    let pattern = || Pattern { solid: checker.clone(), ..Pattern::default() };
     let coated = |roughness| Coated { pattern: pattern(), roughness, ..Coated::default() };
     let materials: [(&str, Material); 7] = [
         ("frosted glass", tinted(0.4).into()),

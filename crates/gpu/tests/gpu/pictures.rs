@@ -6,8 +6,8 @@ use std::sync::Arc;
 use catoptric_gpu::{GpuFilm, GpuScene, render, wait};
 use catoptric_picture::{Difference, Picture};
 use catoptric_scene::{
-    Anchor, Body, Checker, Coated, Color, Image, Light, Material, MaterialChoice, Mirror, Model, Pattern,
-    Phong, Placement, Projection, Scene, Shape, Sky, Surroundings,
+    Anchor, Body, Coated, Color, Image, Light, Material, MaterialChoice, Mirror, Model, Pattern,
+    PatternSpace, Phong, Placement, Projection, Scene, Shape, Sky, SolidKind, SolidTexture, Surroundings,
 };
 use catoptric_tracer::{RenderControl, RenderScene, RenderSettings};
 use glam::DVec3;
@@ -64,7 +64,7 @@ fn shapes(material: &Material, floor: &Material) -> Scene {
 #[test]
 fn textures_of_all_shapes_are_those_of_the_cpu() {
     let Some(card) = card("textures_of_all_shapes_are_those_of_the_cpu") else { return };
-    let checker = Some(Checker { size: 0.3, ..Checker::default() });
+    let solid = Some(SolidTexture { size: 0.3, ..SolidTexture::default() });
     let floor = Material::Phong(Phong {
         pattern: Pattern { texture: Some(patches("floor", 3, 2, 0.8)), ..Pattern::default() },
         ..Phong::default()
@@ -73,7 +73,7 @@ fn textures_of_all_shapes_are_those_of_the_cpu() {
     let models = [
         (
             "phong",
-            Material::Phong(Phong { pattern: Pattern { checker, ..Pattern::default() }, ..Phong::default() }),
+            Material::Phong(Phong { pattern: Pattern { solid, ..Pattern::default() }, ..Phong::default() }),
         ),
         ("clear phong", glass),
         ("mirror", Material::Mirror(Mirror::default())),
@@ -94,6 +94,43 @@ fn textures_of_all_shapes_are_those_of_the_cpu() {
         assert_eq!(fault(&format!("coarse textures, {name}"), &other), None);
         let difference = Difference::between(&compared.gpu.0, &other.gpu.0).unwrap();
         assert!(difference.share_above > 0.1, "{name}: another texture looks the same: {difference:?}");
+    }
+}
+
+#[test]
+fn patterns_are_those_of_the_cpu() {
+    let Some(card) = card("patterns_are_those_of_the_cpu") else { return };
+    let turned = |kind| SolidTexture {
+        size: 0.3,
+        rotation_degrees: DVec3::new(10.0, 20.0, 30.0),
+        position: DVec3::new(0.1, 0.2, 0.3),
+        ..SolidTexture::new(kind, Color::new(0.9, 0.1, 0.2))
+    };
+    let of_body = |kind| SolidTexture { space: PatternSpace::Body, ..turned(kind) };
+    let [checker, stripes, rings, gradient] = SolidKind::ALL.map(turned);
+    let nested = SolidTexture {
+        first: Some(Box::new(SolidTexture { first: Some(Box::new(rings.clone())), ..stripes.clone() })),
+        second: Some(Box::new(SolidTexture { size: 0.1, ..of_body(SolidKind::Gradient) })),
+        ..checker
+    };
+    let floor = Material::Phong(Phong::default());
+    let mut seen = Vec::new();
+    for (name, solid) in [
+        ("stripes", stripes),
+        ("rings", rings),
+        ("gradient", gradient),
+        ("rings of the body", of_body(SolidKind::Rings)),
+        ("nested", nested),
+    ] {
+        let pattern = Pattern { solid: Some(solid), ..Pattern::default() };
+        let material = Material::Phong(Phong { pattern, ..Phong::default() });
+        let compared = compare(&card, &stage_of(&shapes(&material, &floor)), 1);
+        assert_eq!(fault(name, &compared), None);
+        for other in &seen {
+            let difference = Difference::between(&compared.gpu.0, other).unwrap();
+            assert!(difference.share_above > 0.02, "{name} looks like another: {difference:?}");
+        }
+        seen.push(compared.gpu.0);
     }
 }
 

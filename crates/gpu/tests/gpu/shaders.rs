@@ -32,13 +32,13 @@ pub(crate) fn kinds() -> Vec<ShaderSpecialization> {
         for (media, stack) in [(0, 0), (1, 4), (16, 64)] {
             for shapes in [0, 1, 2, 4, 8, 16, 32, 64, 127] {
                 let asks_each_start = media > 0 && shapes == 127;
-                let checkers = shapes % 2 == 1;
                 let plain = ShaderSpecialization {
                     shapes,
                     depth,
                     media,
                     stack,
-                    checkers,
+                    solids: shapes % 2 == 1,
+                    any_solids: depth == 1,
                     asks_each_start,
                     physical: PhysicalFeatures::NOTHING,
                     sky: EnvironmentKind::Even,

@@ -242,9 +242,13 @@ impl AuditText<'_> {
             ),
         );
         self.angles(node, answer);
-        let odd = if answer.is_odd_cell { ", the checker's" } else { "" };
+        let second = match answer.second_share {
+            Some(1.0) => ", the pattern's second color".to_owned(),
+            Some(share) if share > 0.0 => format!(", {} of the pattern's second color", short(share.into())),
+            _ => String::new(),
+        };
         if answer.law.has_ground() || answer.law == ReflectionModel::Mirror {
-            self.line("color", &format!("C = {}{odd}", exact_color(answer.color)));
+            self.line("color", &format!("C = {}{second}", exact_color(answer.color)));
         }
         if answer.law == ReflectionModel::Constant {
             self.line(

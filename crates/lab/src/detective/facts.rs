@@ -33,7 +33,7 @@ impl SceneFacts {
             for material in body.materials().filter_map(|choice| scene.material(choice)) {
                 facts.has_patterns |= material
                     .pattern()
-                    .is_some_and(|pattern| pattern.checker.is_some() || pattern.texture.is_some());
+                    .is_some_and(|pattern| pattern.solid.is_some() || pattern.texture.is_some());
                 match material {
                     Material::Phong(phong) => {
                         facts.has_highlights |= phong.specular > 0.0;

@@ -19,7 +19,7 @@ pub enum SceneMistake {
     DoubledRadius,
     /// Radii are half as large.
     HalvedRadius,
-    /// Checkers and textures are left out.
+    /// Patterns and textures are left out.
     NoPattern,
     /// The middles of cylinders are taken for the centers of their bases.
     CylindersUp,
@@ -77,7 +77,7 @@ impl SceneMistake {
             }
             Self::NoPattern => each_material(&mut scene, |material| {
                 if let Some(pattern) = material.pattern_mut() {
-                    pattern.checker = None;
+                    pattern.solid = None;
                     pattern.texture = None;
                 }
             }),

@@ -2,8 +2,8 @@
 
 use catoptric_lab::depth::{ALLOWED_LOSS, DepthBound, DepthMeasure, ExcessKind, excess_of, excesses};
 use catoptric_scene::{
-    Checker, Color, Example, Image, Material, MaterialChoice, Matte, NamedMaterial, Pattern, Phong, Scene,
-    Shape,
+    Color, Example, Image, Material, MaterialChoice, Matte, NamedMaterial, Pattern, Phong, Scene, Shape,
+    SolidTexture,
 };
 use catoptric_tracer::{RenderControl, RenderError, RenderScene, RenderSettings, render};
 use glam::{DVec3, UVec2};
@@ -140,8 +140,8 @@ fn materials_that_give_more_than_they_get_are_named_with_the_number() {
     let fair =
         |pattern| Material::Phong(Phong { pattern, diffuse: 0.9, reflection: Some(0.1), ..Phong::default() });
     assert_eq!(excess_of(&fair(Color::WHITE.into())).count(), 0);
-    let checker = Some(Checker { color: Color::gray(1.2), size: 1.0, ..Checker::default() });
-    assert_eq!(excess_of(&fair(Pattern { checker, ..Color::WHITE.into() })).count(), 1);
+    let checker = Some(SolidTexture { color: Color::gray(1.2), size: 1.0, ..SolidTexture::default() });
+    assert_eq!(excess_of(&fair(Pattern { solid: checker, ..Color::WHITE.into() })).count(), 1);
     // A color under a picture is not seen; the brightest pixel counts.
     let under = |texture| {
         let pattern = Pattern { texture, ..Color::gray(2.0).into() };

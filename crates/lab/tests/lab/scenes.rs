@@ -2,9 +2,9 @@
 
 use catoptric_optics::{CLEAR, METALS};
 use catoptric_scene::{
-    Anchor, Attenuation, Body, Camera, Checker, Coated, Color, Conductor, Dielectric, Falloff, Light,
-    Material, MaterialChoice, Matte, MetalOptics, Mirror, Model, ParaboloidDepth, Pattern, Phong, Placement,
-    Projection, RefractiveIndex, Scene, Shape, ThinDielectric, Tracing,
+    Anchor, Attenuation, Body, Camera, Coated, Color, Conductor, Dielectric, Falloff, Light, Material,
+    MaterialChoice, Matte, MetalOptics, Mirror, Model, ParaboloidDepth, Pattern, Phong, Placement,
+    Projection, RefractiveIndex, Scene, Shape, SolidTexture, ThinDielectric, Tracing,
 };
 use glam::DVec3;
 use proptest::prelude::*;
@@ -46,7 +46,7 @@ fn material() -> impl Strategy<Value = Material> {
         Material::Phong(Phong {
             pattern: Pattern {
                 color,
-                checker: Some(Checker { color: other, size, ..Checker::default() }),
+                solid: Some(SolidTexture { color: other, size, ..SolidTexture::default() }),
                 ..Pattern::default()
             },
             ..Phong::default()

@@ -51,7 +51,7 @@ impl Scene {
     ///   others. Without `base` and `top`, a body stands at the origin.
     /// - A key takes the place of those that it excludes, such as `substance` of `ior` and `abbe`. The reverse is an
     ///   error until the stronger key is [taken away](Self::unset).
-    /// - A key of a `sky` or `checker` that is absent makes one.
+    /// - A key of a `sky` or a pattern that is absent makes one.
     /// - A new picture is not opened; [`Self::open_images`] does that.
     ///
     /// ```

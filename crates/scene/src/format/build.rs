@@ -18,7 +18,7 @@ use crate::format::toml::{Span, Value, ValueKind};
 use crate::format::tree::Table;
 use crate::format::typed::Fields;
 use crate::light::{Falloff, Light};
-use crate::material::{Material, MaterialChoice};
+use crate::material::{Material, MaterialChoice, SolidKind, SolidTexture};
 use crate::placement::{Anchor, Placement};
 use crate::shape::ShapeKind;
 use crate::{Environment, Sky, Surroundings, Tracing};
@@ -142,13 +142,32 @@ impl<'t> SceneBuilder<'_, 't> {
         let mut fields = self.fields(&keys::MATERIAL, table);
         check_company(&mut fields, &Message::EitherOr);
         let mut material = material::read(&mut fields);
-        if let Some(checker) = fields.child("checker") {
-            let checker = material::read_checker(&mut self.fields(&keys::CHECKER, checker));
-            if let Some(pattern) = material.pattern_mut() {
-                pattern.checker = Some(checker);
-            }
+        let solid = self.solid(&keys::MATERIAL, table);
+        if let Some(pattern) = material.pattern_mut() {
+            pattern.solid = solid;
         }
         material
+    }
+
+    /// The pattern in a table that may have one. How deep they lie is known to be bounded.
+    fn solid(&mut self, spec: &'static TableSpec, table: &Table<'t>) -> Option<SolidTexture> {
+        let mut found = None;
+        for kind in SolidKind::ALL {
+            let mut fields = Fields { text: self.text, spec, table, found: self.found };
+            let Some(table) = fields.child(kind.key()) else { continue };
+            let mut solid = material::read_solid(kind, &mut self.fields(&keys::PATTERN, table));
+            solid.first = self.nested_solid(table, "first");
+            solid.second = self.nested_solid(table, "second");
+            found = Some(solid);
+        }
+        found
+    }
+
+    fn nested_solid(&mut self, table: &Table<'t>, key: &str) -> Option<Box<SolidTexture>> {
+        let mut fields = Fields { text: self.text, spec: &keys::PATTERN, table, found: self.found };
+        let inner = fields.child(key)?;
+        check_company(&mut self.fields(&keys::NESTED_PATTERN, inner), &Message::EitherOr);
+        self.solid(&keys::NESTED_PATTERN, inner).map(Box::new)
     }
 
     /// A light, and the place of its name.
@@ -402,7 +421,7 @@ fn check_company(fields: &mut Fields<'_, '_, '_>, help: &Message) {
         }
         for &other in key.excludes {
             let Some(other_span) = fields.key_span(other) else { continue };
-            if reported.contains(&other) {
+            if reported.contains(&other) || reported.contains(&key.name) {
                 continue;
             }
             reported.push(other);

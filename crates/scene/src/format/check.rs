@@ -17,7 +17,7 @@ use crate::format::spec::{KeySpec, Kind, Limits};
 use crate::instances::InstanceFault;
 use crate::language::Language;
 use crate::light::Light;
-use crate::material::{MaterialChoice, NamedMaterial};
+use crate::material::{Material, MaterialChoice, NamedMaterial, SolidTexture};
 use crate::part::ScenePart;
 use crate::placement::Anchor;
 use crate::shape::Shape;
@@ -200,6 +200,7 @@ impl SceneValidator {
     fn material(&mut self, index: usize, named: &NamedMaterial) {
         let of = NamedPart { part: ScenePart::Material(index), name: &named.name, within: String::new() };
         self.record(&of, &material::record(&named.material));
+        self.pattern(&of, &named.material);
         if named.name.is_empty() {
             self.add(&of, "name", Message::UnnamedMaterial);
         }
@@ -213,6 +214,19 @@ impl SceneValidator {
     fn body(&mut self, index: usize, body: &Body) {
         let of = NamedPart { part: ScenePart::Body(index), name: &body.name, within: String::new() };
         self.geometry(&of, &record::body(body), &body.form(), 0);
+        for choice in body.materials() {
+            if let MaterialChoice::Inline(own) = choice {
+                self.pattern(&of, own);
+            }
+        }
+    }
+
+    /// How deep patterns lie within patterns.
+    fn pattern(&mut self, of: &NamedPart<'_>, material: &Material) {
+        let solid = material.pattern().and_then(|pattern| pattern.solid.as_ref());
+        if let Some(solid) = solid.filter(|solid| solid.depth() > SolidTexture::MAX_DEPTH) {
+            self.add(of, solid.kind.key(), Message::PatternsTooDeep);
+        }
     }
 
     /// The values of a body or a part, and what they are together; `depth` is the number of wholes around it.

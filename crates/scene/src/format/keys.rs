@@ -3,16 +3,15 @@
 //! The reader's checks and hints, the writer's order of keys, the validation of scenes in memory and the JSON schema
 //! all come from here; a test holds the defaults against those of the document's types.
 
+mod common;
+mod material;
 pub(crate) mod russian;
 
+use self::common::{LAYER, ROTATION, SCALE, amount, flag};
+pub use self::material::{MATERIAL, NESTED_PATTERN, PATTERN};
 use crate::Tracing;
-use crate::color::Color;
 use crate::compound::{DishProfile, Lens, Prism};
 use crate::format::spec::{Default, KeySpec, Kind, Limits, TableSpec};
-use crate::material::{
-    Attenuation, Checker, DEFAULT_METAL, Dielectric, METAL_NAMES, Model, Pattern, Phong, RefractiveIndex,
-    SUBSTANCE_NAMES,
-};
 use crate::shape::ShapeKind;
 
 /// Versions of the format that can be read; the last one is written.
@@ -26,14 +25,20 @@ const COMPOUND: &[&str] = &["union", "intersection", "difference", "group"];
 pub(crate) const SAID_BY_AXIS: &[&str] = &["position", "rotation", "height", "focal_length"];
 const WHITE: Default = Default::Vector([1.0; 3]);
 
-/// A color as a default.
-const fn color(color: Color) -> Default {
-    Default::Vector(color.to_array())
-}
-
 /// All tables of the format.
-pub static TABLES: [&TableSpec; 10] =
-    [&ROOT, &CAMERA, &ENVIRONMENT, &SKY, &TRACING, &MATERIAL, &CHECKER, &LIGHT, &BODY, &PART];
+pub static TABLES: [&TableSpec; 11] = [
+    &ROOT,
+    &CAMERA,
+    &ENVIRONMENT,
+    &SKY,
+    &TRACING,
+    &MATERIAL,
+    &PATTERN,
+    &NESTED_PATTERN,
+    &LIGHT,
+    &BODY,
+    &PART,
+];
 
 /// The file itself.
 pub static ROOT: TableSpec = TableSpec {
@@ -148,139 +153,6 @@ pub static TRACING: TableSpec = TableSpec {
             "the weight below which a ray is not traced; 0 follows every ray that carries anything",
         )
         .or(Default::Number(0.0)),
-    ],
-};
-
-/// `[materials.NAME]`, and the inline material of a body.
-pub static MATERIAL: TableSpec = TableSpec {
-    name: "a material",
-    doc: "How a surface answers light",
-    keys: &[
-        KeySpec::new("model", Kind::Choice(&MODEL_NAMES), "what the surface does with light")
-            .or(Default::Text(Model::Phong.key())),
-        KeySpec::new("color", Kind::Color(Limits::AMOUNT), "the color of the body")
-            .or(color(Pattern::DEFAULT.color))
-            .only("model", &["phong", "mirror", "matte", "coated"])
-            .written(),
-        amount("ambient", "the ambient coefficient")
-            .or(Default::Number(Phong::DEFAULT.ambient))
-            .only("model", &["phong", "matte", "coated"]),
-        amount("diffuse", "the diffuse coefficient")
-            .or(Default::Number(Phong::DEFAULT.diffuse))
-            .only("model", PHONG),
-        amount("specular", "the coefficient of the highlight")
-            .or(Default::Number(Phong::DEFAULT.specular))
-            .only("model", PHONG),
-        amount("shininess", "the exponent of the highlight")
-            .or(Default::Number(Phong::DEFAULT.shininess))
-            .only("model", PHONG),
-        amount(
-            "reflection",
-            "the coefficient of reflected light; when absent, the same as `specular`, or 1 for a mirror",
-        )
-        .only("model", &["phong", "mirror"]),
-        amount("transmission", "the coefficient of transmitted light; 0 is opaque")
-            .or(Default::Number(Phong::DEFAULT.transmission))
-            .only("model", PHONG),
-        KeySpec::new(
-            "ior",
-            Kind::Number(Limits::new(0.01, 100.0)),
-            "the index of refraction relative to air",
-        )
-        .or(Default::Number(RefractiveIndex::DEFAULT_IOR))
-        .only("model", &["phong", "dielectric", "coated", "thin-dielectric"]),
-        KeySpec::new("tint", Kind::Color(Limits::AMOUNT), "the tint of transmitted light")
-            .or(color(Phong::DEFAULT.tint))
-            .only("model", &["phong", "thin-dielectric"]),
-        KeySpec::new("substance", Kind::Choice(&SUBSTANCE_NAMES), "what a clear body is made of")
-            .only("model", DIELECTRIC)
-            .excluding(&["ior", "abbe"]),
-        flag("dispersion", "whether the body bends light of different colors differently")
-            .only("model", DIELECTRIC),
-        KeySpec::new("abbe", Kind::Number(Limits::new(1.0, 1e6)), "the Abbe number, how little it does so")
-            .or(Default::Number(RefractiveIndex::DEFAULT_ABBE))
-            .only("model", DIELECTRIC),
-        KeySpec::new(
-            "attenuation_color",
-            Kind::Color(Limits::new(0.0, 1.0)),
-            "the color that white light has after `attenuation_distance` in the body",
-        )
-        .or(color(Attenuation::DEFAULT.color))
-        .only("model", DIELECTRIC),
-        KeySpec::new(
-            "attenuation_distance",
-            Kind::Number(Limits::LENGTH),
-            "the way after which light has `attenuation_color`, meters",
-        )
-        .or(Default::Number(Attenuation::DEFAULT.distance))
-        .only("model", DIELECTRIC),
-        KeySpec::new("metal", Kind::Choice(&METAL_NAMES), "a measured metal")
-            .or(Default::Text(DEFAULT_METAL.name))
-            .only("model", CONDUCTOR)
-            .written(),
-        KeySpec::new(
-            "n",
-            Kind::Vector(Limits::new(0.001, 100.0)),
-            "the refractive index for red, green and blue light",
-        )
-        .only("model", CONDUCTOR)
-        .beside("k", &["metal"]),
-        KeySpec::new(
-            "k",
-            Kind::Vector(Limits::new(0.0, 100.0)),
-            "the extinction coefficient for red, green and blue light",
-        )
-        .only("model", CONDUCTOR)
-        .beside("n", &["metal"]),
-        KeySpec::new(
-            "roughness",
-            Kind::Number(Limits::new(0.0, 1.0)),
-            "how rough the surface is that reflects, 0 being smooth",
-        )
-        .or(Default::Number(Dielectric::DEFAULT.roughness))
-        .only("model", &["dielectric", "conductor", "mirror", "coated"]),
-        KeySpec::new("texture", Kind::File, "a picture on the body in the place of its color")
-            .only("model", &["phong", "mirror", "matte", "coated"]),
-        KeySpec::new("layer", Kind::Text, LAYER)
-            .only("model", &["phong", "mirror", "matte", "coated"])
-            .beside("texture", &[]),
-        KeySpec::new("checker", Kind::Table(&CHECKER), "a second color in a checkerboard")
-            .only("model", &["phong", "mirror", "matte", "coated"]),
-    ],
-};
-
-const LAYER: &str = "the layer of the picture, where its file has several";
-/// Words of the models.
-const MODEL_NAMES: [&str; Model::ALL.len()] = {
-    let mut names = [""; Model::ALL.len()];
-    let mut at = 0;
-    while at < names.len() {
-        names[at] = Model::ALL[at].key();
-        at += 1;
-    }
-    names
-};
-const PHONG: &[&str] = &["phong"];
-const DIELECTRIC: &[&str] = &["dielectric"];
-const CONDUCTOR: &[&str] = &["conductor"];
-
-/// `checker` of a material.
-pub static CHECKER: TableSpec = TableSpec {
-    name: "a checker",
-    doc: "A checkerboard",
-    keys: &[
-        KeySpec::new("color", Kind::Color(Limits::AMOUNT), "the color of the odd cells")
-            .or(color(Checker::DEFAULT.color))
-            .written(),
-        KeySpec::new("size", Kind::Number(Limits::LENGTH), "the edge length of a cell, meters")
-            .or(Default::Number(Checker::DEFAULT.size))
-            .written(),
-        KeySpec::new(
-            "space",
-            Kind::Choice(&["world", "body"]),
-            "what the cells are at rest in; those of a body move and turn with it",
-        )
-        .or(Default::Text(Checker::DEFAULT.space.key())),
     ],
 };
 
@@ -550,19 +422,6 @@ const TOP: KeySpec = KeySpec::new(
 )
 .only("shape", UPRIGHT)
 .beside("base", SAID_BY_AXIS);
-const ROTATION: KeySpec = KeySpec::new(
-    "rotation",
-    Kind::Vector(Limits::new(-1e6, 1e6)),
-    "the turns about the fixed X, then Y, then Z axis, degrees",
-)
-.or(Default::Vector([0.0; 3]));
-const SCALE: KeySpec = KeySpec::new(
-    "scale",
-    Kind::NumberOrVector(Limits::LENGTH),
-    "the factor, or the three factors, of the size",
-)
-.or(Default::Number(1.0));
-
 /// `parts`; a table has itself within only by a reference that it is given.
 const fn parts(table: &'static TableSpec) -> KeySpec {
     KeySpec::new("parts", Kind::List(table), "what the body is joined of").only("shape", COMPOUND)
@@ -578,13 +437,3 @@ const SHAPE_NAMES: [&str; ShapeKind::ALL.len()] = {
     }
     names
 };
-
-/// `false` by default.
-const fn flag(name: &'static str, doc: &'static str) -> KeySpec {
-    KeySpec::new(name, Kind::Flag, doc).or(Default::Flag(false))
-}
-
-/// A coefficient: 0 or more.
-const fn amount(name: &'static str, doc: &'static str) -> KeySpec {
-    KeySpec::new(name, Kind::Number(Limits::AMOUNT), doc)
-}

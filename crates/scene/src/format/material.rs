@@ -6,11 +6,11 @@ use crate::format::keys;
 use crate::format::record::{Datum, Record, picture};
 use crate::format::typed::Fields;
 use crate::material::{
-    Attenuation, Checker, CheckerSpace, Coated, Conductor, Dielectric, Material, Matte, MetalOptics, Mirror,
-    Model, Pattern, Phong, RefractiveIndex, ThinDielectric,
+    Attenuation, Coated, Conductor, Dielectric, Material, Matte, MetalOptics, Mirror, Model, Pattern,
+    PatternSpace, Phong, RefractiveIndex, SolidKind, SolidTexture, ThinDielectric,
 };
 
-/// Reads a material but for its checker, which is a table of its own.
+/// Reads a material but for its pattern, which is a table of its own.
 pub(crate) fn read(fields: &mut Fields<'_, '_, '_>) -> Material {
     let model = fields.choice("model").ok().flatten().and_then(Model::of_key).unwrap_or_default();
     let material = match model {
@@ -194,38 +194,63 @@ fn read_pattern(fields: &mut Fields<'_, '_, '_>) -> Pattern {
     Pattern {
         color: fields.color("color").unwrap_or(Pattern::DEFAULT.color),
         texture: fields.image("texture", "layer"),
-        checker: None,
+        solid: None,
     }
 }
 
 /// What a pattern has besides its color.
 fn record_details<'a>(mut record: Record<'a>, pattern: &'a Pattern) -> Record<'a> {
-    let Pattern { color: _, texture, checker } = pattern;
+    let Pattern { color: _, texture, solid } = pattern;
     if let Some(texture) = texture {
         record = picture(record, "texture", texture);
     }
-    match checker {
-        Some(checker) => record.with("checker", Datum::Table(record_checker(checker))),
+    with_solid(record, solid.as_ref())
+}
+
+/// A pattern under the key of its kind.
+fn with_solid<'a>(record: Record<'a>, solid: Option<&'a SolidTexture>) -> Record<'a> {
+    match solid {
+        Some(solid) => record.with(solid.kind.key(), Datum::Table(record_solid(solid))),
         None => record,
     }
 }
 
-/// Reads a checkerboard.
-pub(crate) fn read_checker(fields: &mut Fields<'_, '_, '_>) -> Checker {
-    let default = Checker::DEFAULT;
-    Checker {
+/// Reads a pattern but for those within it, which are tables of their own.
+pub(crate) fn read_solid(kind: SolidKind, fields: &mut Fields<'_, '_, '_>) -> SolidTexture {
+    let default = SolidTexture::DEFAULT;
+    SolidTexture {
+        kind,
         color: fields.color("color").unwrap_or(default.color),
         size: fields.number("size").unwrap_or(default.size),
         space: match fields.choice("space") {
-            Ok(Some("body")) => CheckerSpace::Body,
+            Ok(Some("body")) => PatternSpace::Body,
             _ => default.space,
         },
+        position: fields.vector("position").unwrap_or(default.position),
+        rotation_degrees: fields.vector("rotation").unwrap_or(default.rotation_degrees),
+        scale: fields.number_or_vector("scale").unwrap_or(default.scale),
+        first: None,
+        second: None,
     }
 }
 
-fn record_checker(checker: &Checker) -> Record<'static> {
-    let Checker { color, size, space } = *checker;
-    Record::new(&keys::CHECKER).color("color", color).number("size", size).text("space", space.key())
+fn record_solid(solid: &SolidTexture) -> Record<'_> {
+    let SolidTexture { kind: _, color, size, space, position, rotation_degrees, scale, first, second } =
+        solid;
+    let mut record = Record::new(&keys::PATTERN)
+        .color("color", *color)
+        .number("size", *size)
+        .text("space", space.key())
+        .vector("position", *position)
+        .vector("rotation", *rotation_degrees)
+        .number_or_vector("scale", *scale);
+    for (key, inner) in [("first", first), ("second", second)] {
+        if inner.is_some() {
+            let inner = with_solid(Record::new(&keys::NESTED_PATTERN), inner.as_deref());
+            record = record.with(key, Datum::Table(inner));
+        }
+    }
+    record
 }
 
 #[cfg(test)]
@@ -247,6 +272,6 @@ mod tests {
             assert_eq!(color.applies(chosen), material.pattern().is_some());
         }
         assert!(record(&Material::default()).is_all_default());
-        assert!(record_checker(&Checker::default()).is_all_default());
+        assert!(record_solid(&SolidTexture::default()).is_all_default());
     }
 }

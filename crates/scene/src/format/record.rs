@@ -92,7 +92,7 @@ impl<'a> Record<'a> {
     }
 
     /// Three factors or lengths; one number when they are equal.
-    fn number_or_vector(self, key: &'static str, value: DVec3) -> Self {
+    pub(crate) fn number_or_vector(self, key: &'static str, value: DVec3) -> Self {
         if value.x == value.y && value.y == value.z {
             self.number(key, value.x)
         } else {

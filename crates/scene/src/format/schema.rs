@@ -12,7 +12,12 @@ pub fn json_schema() -> Value {
     schema.insert("title".to_owned(), json!("Catoptric scene, catoptric/1"));
     schema.extend(table(&keys::ROOT));
     schema.insert("required".to_owned(), json!(["format"]));
-    schema.insert("definitions".to_owned(), json!({ "part": Value::Object(table(&keys::PART)) }));
+    let definitions = json!({
+        "part": table(&keys::PART),
+        "pattern": table(&keys::PATTERN),
+        "nested": table(&keys::NESTED_PATTERN),
+    });
+    schema.insert("definitions".to_owned(), definitions);
     Value::Object(schema)
 }
 
@@ -78,6 +83,9 @@ fn kind(kind: Kind) -> Map<String, Value> {
         Kind::Color(limits) => json!({
             "anyOf": [three(limits), { "type": "string", "pattern": "^#[0-9A-Fa-f]{6}$" }]
         }),
+        // Patterns have patterns.
+        Kind::Table(spec) if *spec == keys::PATTERN => json!({ "$ref": "#/definitions/pattern" }),
+        Kind::Table(spec) if *spec == keys::NESTED_PATTERN => json!({ "$ref": "#/definitions/nested" }),
         Kind::Table(spec) => Value::Object(table(spec)),
         Kind::NameOrTable(spec) => json!({
             "anyOf": [{ "type": "string", "minLength": 1 }, Value::Object(table(spec))]

@@ -5,13 +5,14 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 
 use crate::format::diagnostic::{Diagnostic, Diagnostics};
-use crate::format::keys::{ROOT, TABLES};
+use crate::format::keys::{NESTED_PATTERN, PATTERN, ROOT, TABLES};
 use crate::format::message::{Enumeration, Message};
 use crate::format::nearest::nearest;
 use crate::format::quote::quoted;
 use crate::format::spec::{KeySpec, Kind, TableSpec};
 use crate::format::toml::{Assignment, Key, Span, Value, ValueKind};
 use crate::format::typed::key_help;
+use crate::material::SolidTexture;
 use crate::shape::Shape;
 
 /// The keys that a table can have.
@@ -51,7 +52,7 @@ pub(crate) struct Table<'t> {
     pub(crate) entries: Vec<KeyValue<'t>>,
     /// Places of the entries by name, for tables with names of the user's choice.
     by_name: HashMap<Cow<'t, str>, usize>,
-    /// How many lists within tables are around it.
+    /// How many lists within tables are around it; of a pattern, how many patterns there are with it.
     depth: usize,
 }
 
@@ -149,7 +150,7 @@ impl<'t> Table<'t> {
             });
         };
         let Some(place) = self.place(&key.text) else {
-            let kind = ValueKind::Table(Table::new(schema, by));
+            let kind = ValueKind::Table(self.child(key, schema, by)?);
             self.insert(key.clone(), Value { span: key.span, kind });
             return self.last_table(key);
         };
@@ -273,8 +274,19 @@ impl<'t> Table<'t> {
         }
         let value = match (schema, value) {
             (Some(schema), Value { span, kind: ValueKind::Inline(assignments) }) => {
-                let table = Self::from_inline(schema, assignments, found);
-                Value { span, kind: ValueKind::Table(table) }
+                let table = self.child(&key, schema, TableOrigin::Inline);
+                let table = table.map(|mut table| {
+                    assignments.into_iter().for_each(|assignment| table.assign(assignment, found));
+                    table
+                });
+                let kind = match table {
+                    Ok(table) => ValueKind::Table(table),
+                    Err(problem) => {
+                        found.push(*problem);
+                        ValueKind::Invalid
+                    }
+                };
+                Value { span, kind }
             }
             (_, Value { span, kind: ValueKind::Array(values) }) => {
                 let kind = match self.list_of(&key.text) {
@@ -303,6 +315,24 @@ impl<'t> Table<'t> {
             table.assign(assignment, found);
         }
         table
+    }
+
+    /// A table under `key`.
+    fn child(&self, key: &Key<'t>, schema: Schema, by: TableOrigin) -> Result<Self, Box<Diagnostic>> {
+        let is = |schema: Schema, table: &TableSpec| matches!(schema, Schema::Keys(spec) if *spec == *table);
+        let depth = match is(schema, &PATTERN) {
+            true if is(self.schema, &NESTED_PATTERN) => self.depth + 1,
+            true => 1,
+            false if is(schema, &NESTED_PATTERN) => self.depth,
+            false => 0,
+        };
+        if depth > SolidTexture::MAX_DEPTH {
+            let most = SolidTexture::MAX_DEPTH.to_string();
+            let finding = Diagnostic::error(key.span.range(), Message::PatternsTooDeep);
+            let finding = finding.with_label(Message::OneLevelTooDeep);
+            return Err(finding.with_help(Message::DeepestPatterns { most }).into());
+        }
+        Ok(Self { depth, ..Self::new(schema, by) })
     }
 
     fn insert(&mut self, key: Key<'t>, value: Value<'t>) {

@@ -23,8 +23,7 @@ impl Mirror {
     }
 
     pub(super) fn reflects(&self) -> Share {
-        let checker = self.pattern.checker.map_or(0.0, |checker| largest(checker.color));
-        Share::always(self.reflection() * largest(self.pattern.brightest()).max(checker))
+        Share::always(self.reflection() * largest(self.pattern.brightest()))
     }
 }
 

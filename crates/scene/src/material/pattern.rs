@@ -1,7 +1,8 @@
-//! Colors of a surface: one color, a picture in its place, a checkerboard.
+//! Colors of a surface: one color, a picture in its place, a pattern.
 
 use crate::color::Color;
 use crate::image::Image;
+use crate::material::solid::SolidTexture;
 
 /// The color C of a surface, which may change from point to point.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,16 +14,19 @@ pub struct Pattern {
     /// It is wrapped once around spheres, cylinders and cones, seen upright from outside, its middle towards z; it
     /// covers each face of a cube and, as far as a circle goes, each cap; on a plane it is repeated every meter.
     pub texture: Option<Image>,
-    /// A second color in a checkerboard. Default none.
-    pub checker: Option<Checker>,
+    /// A pattern of which this is the first color. Default none.
+    pub solid: Option<SolidTexture>,
 }
 
 impl Pattern {
-    pub(crate) const DEFAULT: Self = Self { color: Color::gray(0.8), texture: None, checker: None };
+    pub(crate) const DEFAULT: Self = Self { color: Color::gray(0.8), texture: None, solid: None };
 
-    /// The most that its color can be, of each channel, but for a checker's: of a texture, that of its pixels.
+    /// The most that its color can be, of each channel: of a texture, that of its pixels; of patterns, that of their
+    /// colors.
     pub fn brightest(&self) -> Color {
-        self.opened_texture().map_or(self.color, Image::brightest)
+        let own = self.opened_texture().map_or(self.color, Image::brightest);
+        let colors = self.solid.iter().flat_map(SolidTexture::all).map(|solid| solid.color);
+        colors.fold(own, |one, other| Color::new(one.r.max(other.r), one.g.max(other.g), one.b.max(other.b)))
     }
 
     /// The mean of its texture, or else its color.
@@ -45,50 +49,5 @@ impl Default for Pattern {
 impl From<Color> for Pattern {
     fn from(color: Color) -> Self {
         Self { color, ..Self::DEFAULT }
-    }
-}
-
-/// Checkerboard: the cell (⌊x/s⌋ + ⌊y/s⌋ + ⌊z/s⌋) of a point takes the material's color when even, this one when odd.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Checker {
-    /// Color of odd cells. Default gray 0.2.
-    pub color: Color,
-    /// Edge length s of a cell, meters. Default 1.
-    pub size: f64,
-    /// Whose x, y and z these are. Default the world's.
-    pub space: CheckerSpace,
-}
-
-impl Checker {
-    pub(crate) const DEFAULT: Self = Self { color: Color::gray(0.2), size: 1.0, space: CheckerSpace::World };
-}
-
-impl Default for Checker {
-    fn default() -> Self {
-        Self::DEFAULT
-    }
-}
-
-/// The space in which a checkerboard is laid out.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum CheckerSpace {
-    /// The world: bodies move through it.
-    #[default]
-    World,
-    /// The body, from its own origin, along its own axes: it moves and turns with the body. Cells keep their size when
-    /// the body is scaled.
-    Body,
-}
-
-impl CheckerSpace {
-    /// Both, in the order of the format.
-    pub const ALL: [Self; 2] = [Self::World, Self::Body];
-
-    /// The word in scene files.
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::World => "world",
-            Self::Body => "body",
-        }
     }
 }

@@ -283,8 +283,12 @@ fn a_stronger_key_takes_the_place_of_weaker_ones_and_can_be_taken_away() {
     set(&mut scene, &["bodies.rod.material.checker.size=0.5", "bodies.rod.material.color=#ffffff"]).unwrap();
     assert_eq!(get(&scene, "bodies.rod.material.checker.color"), "[0.2, 0.2, 0.2]");
     assert_eq!(get(&scene, "bodies.rod.material.color"), "[1, 1, 1]");
-    set(&mut scene, &["bodies.rod.material.checker="]).unwrap();
+    assert!(get(&scene, "bodies.rod.material.stripes.size").contains("`stripes` has no value"));
+    set(&mut scene, &["bodies.rod.material.rings.second.stripes.size=0.1"]).unwrap();
     assert!(get(&scene, "bodies.rod.material.checker.size").contains("`checker` has no value"));
+    assert_eq!(get(&scene, "bodies.rod.material.rings.second.stripes.scale"), "1");
+    set(&mut scene, &["bodies.rod.material.rings="]).unwrap();
+    assert!(get(&scene, "bodies.rod.material.rings.size").contains("`rings` has no value"));
     set(
         &mut scene,
         &["bodies.rod.material=glass", "bodies.ball.material=", "bodies.ball.material.diffuse=0"],

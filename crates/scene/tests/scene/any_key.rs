@@ -143,10 +143,11 @@ fn check_key(before: &Scene, key: &SceneKey, random: &mut Random) -> Result<(), 
         }
         None if stands_alone(spec) => {
             let text = path.to_string();
-            let table = ["environment.sky", ".checker"].iter().find_map(|table| {
-                let end = text.find(table)? + table.len();
-                text.get(..end).filter(|_| before.get(path).is_err())
-            });
+            let table =
+                ["environment.sky", ".checker", ".stripes", ".rings", ".gradient"].iter().find_map(|table| {
+                    let end = text.find(table)? + table.len();
+                    text.get(..end).filter(|_| before.get(path).is_err())
+                });
             scene.unset(&table.unwrap_or(&text).parse().unwrap()).unwrap();
         }
         _ => return Ok(()),

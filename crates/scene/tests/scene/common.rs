@@ -2,10 +2,11 @@
 
 use catoptric_optics::{CLEAR, METALS};
 use catoptric_scene::{
-    Anchor, Attenuation, Body, BodyPart, BodyShape, Camera, Checker, CheckerSpace, Coated, Color, Conductor,
-    Dielectric, Environment, Falloff, Image, ImageSource, Instance, Light, Material, MaterialChoice, Matte,
-    MetalOptics, Mirror, Model, NamedMaterial, ParaboloidDepth, Pattern, Phong, Placement, Projection,
-    RefractiveIndex, Scene, Shape, ShapeKind, Sky, Surroundings, ThinDielectric, Tracing,
+    Anchor, Attenuation, Body, BodyPart, BodyShape, Camera, Coated, Color, Conductor, Dielectric,
+    Environment, Falloff, Image, ImageSource, Instance, Light, Material, MaterialChoice, Matte, MetalOptics,
+    Mirror, Model, NamedMaterial, ParaboloidDepth, Pattern, PatternSpace, Phong, Placement, Projection,
+    RefractiveIndex, Scene, Shape, ShapeKind, Sky, SolidKind, SolidTexture, Surroundings, ThinDielectric,
+    Tracing,
 };
 use glam::DVec3;
 use proptest::prelude::*;
@@ -62,18 +63,34 @@ fn camera() -> impl Strategy<Value = Camera> {
     })
 }
 
-fn checker() -> impl Strategy<Value = Option<Checker>> {
-    let space = proptest::sample::select(CheckerSpace::ALL.to_vec());
-    let some = (color(), length(), space).prop_map(|(color, size, space)| Checker { color, size, space });
-    proptest::option::of(some)
+fn solid() -> impl Strategy<Value = SolidTexture> {
+    let choices = (
+        proptest::sample::select(SolidKind::ALL.to_vec()),
+        proptest::sample::select(PatternSpace::ALL.to_vec()),
+    );
+    let leaf = (choices, color(), length(), place(), place(), lengths()).prop_map(
+        |((kind, space), color, size, position, turn, scale)| SolidTexture {
+            size,
+            space,
+            position,
+            rotation_degrees: turn.clamp(DVec3::splat(-1e6), DVec3::splat(1e6)),
+            scale,
+            ..SolidTexture::new(kind, color)
+        },
+    );
+    leaf.prop_recursive(SolidTexture::MAX_DEPTH as u32 - 1, 6, 2, |inner| {
+        let within = || proptest::option::of(inner.clone().prop_map(Box::new));
+        (inner.clone(), within(), within()).prop_map(|(outer, first, second)| SolidTexture {
+            first,
+            second,
+            ..outer
+        })
+    })
 }
 
 fn pattern() -> impl Strategy<Value = Pattern> {
-    (color(), proptest::option::of(image()), checker()).prop_map(|(color, texture, checker)| Pattern {
-        color,
-        texture,
-        checker,
-    })
+    (color(), proptest::option::of(image()), proptest::option::of(solid()))
+        .prop_map(|(color, texture, solid)| Pattern { color, texture, solid })
 }
 
 fn reflection() -> impl Strategy<Value = Option<f64>> {

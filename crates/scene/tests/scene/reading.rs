@@ -1,7 +1,8 @@
 //! Every way of writing TOML is understood.
 
 use catoptric_scene::{
-    Anchor, Color, Falloff, LONGEST_TEXT, Language, MaterialChoice, Projection, Scene, Shape, read,
+    Anchor, Color, Falloff, LONGEST_TEXT, Language, MaterialChoice, PatternSpace, Projection, Scene, Shape,
+    SolidKind, SolidTexture, read,
 };
 use glam::DVec3;
 
@@ -21,7 +22,7 @@ fn a_scene_with_everything_is_read() {
     assert_eq!(scene.environment.background, Color::from_srgb8([0x33, 0x66, 0x99]));
     let [red, glass] = scene.materials.as_slice() else { panic!() };
     assert_eq!((red.name.as_str(), red.material.reflection()), ("red", Some(0.3)));
-    assert_eq!(red.material.pattern().unwrap().checker.unwrap().size, 0.5);
+    assert_eq!(red.material.pattern().unwrap().solid.as_ref().unwrap().size, 0.5);
     assert_eq!((glass.name.as_str(), glass.material.ior()), ("glass ball", Some(1.33)));
     assert_eq!(scene.lights[0].falloff, Falloff::Linear { constant: 2.0 });
     let [ball, cube, cone, cylinder, floor] = &scene.bodies.to_vec()[..] else { panic!() };
@@ -32,7 +33,7 @@ fn a_scene_with_everything_is_read() {
     let frame = Anchor::Frame { position: DVec3::ZERO, rotation_degrees: DVec3::Y * 30.0 };
     assert_eq!(cube.placement.anchor, frame);
     assert_eq!(
-        scene.material(&cube.material).unwrap().pattern().unwrap().checker.unwrap().color,
+        scene.material(&cube.material).unwrap().pattern().unwrap().solid.as_ref().unwrap().color,
         Color::BLACK
     );
     assert_eq!(cone.placement.anchor, Anchor::Axis { base: DVec3::ZERO, top: DVec3::Y * 10.5 });
@@ -108,6 +109,34 @@ fn flags_are_true_or_false() {
     let messages: Vec<String> =
         found.iter().map(|diagnostic| diagnostic.message(Language::English)).collect();
     assert_eq!(messages, ["`hidden` is a number, but must be `true` or `false`"]);
+}
+
+#[test]
+fn patterns_lie_within_patterns() {
+    let material = "format = 'catoptric/1'\n[[bodies]]\n[bodies.material]\ncolor = [1, 0, 0]\n";
+    let inline = "stripes = { color = [0, 1, 0], size = 2, space = 'body', second.rings = {}, \
+                  first = { gradient = { color = [0, 0, 1], scale = [1, 2, 3], rotation = [0, 90, 0] } } }\n";
+    let headers = "[bodies.material.stripes]\nsize = 2\nspace = 'body'\ncolor = [0, 1, 0]\n\
+                   [bodies.material.stripes.second.rings]\n[bodies.material.stripes.first.gradient]\n\
+                   color = [0, 0, 1]\nrotation = [0, 90, 0]\nscale = [1, 2, 3]\n";
+    let found = scene(&format!("{material}{inline}"));
+    assert_eq!(found, scene(&format!("{material}{headers}")));
+    let gradient = SolidTexture {
+        scale: DVec3::new(1.0, 2.0, 3.0),
+        rotation_degrees: DVec3::new(0.0, 90.0, 0.0),
+        ..SolidTexture::new(SolidKind::Gradient, Color::new(0.0, 0.0, 1.0))
+    };
+    let rings = SolidTexture { kind: SolidKind::Rings, ..SolidTexture::default() };
+    let stripes = SolidTexture {
+        size: 2.0,
+        space: PatternSpace::Body,
+        first: Some(Box::new(gradient)),
+        second: Some(Box::new(rings)),
+        ..SolidTexture::new(SolidKind::Stripes, Color::new(0.0, 1.0, 0.0))
+    };
+    let own = found.material(&found.bodies[0].material).unwrap();
+    assert_eq!(own.pattern().unwrap().solid.as_ref(), Some(&stripes));
+    assert_eq!(scene(&catoptric_scene::write(&found)), found);
 }
 
 #[test]

@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 
 use catoptric_editor::{Action, Label};
 use catoptric_scene::{
-    Attenuation, Body, Checker, Color, Conductor, Dielectric, Falloff, Material, MaterialChoice, MetalOptics,
-    Model, Pattern, Phong, ScenePart, Shape, Sky, Surroundings,
+    Attenuation, Body, Color, Conductor, Dielectric, Falloff, Material, MaterialChoice, MetalOptics, Model,
+    Pattern, Phong, ScenePart, Shape, Sky, SolidTexture, Surroundings,
 };
 use catoptric_studio::host::Host as _;
 use catoptric_studio::{Command, Pane, StartDocument, Studio, WindowCommand};
@@ -99,7 +99,7 @@ const CASES: [Case; 19] = [
                 *material = Material::Phong(Phong {
                     pattern: Pattern {
                         color: Color::new(0.123_456, 0.234_567, 0.345_678),
-                        checker: Some(Checker::default()),
+                        solid: Some(SolidTexture::default()),
                         ..Pattern::default()
                     },
                     transmission: 0.85,

@@ -62,6 +62,13 @@ fn enter(window: &mut Window, name: &str, text: &str) {
     window.run_steps(3);
 }
 
+/// Picks an entry of a list.
+fn choose(window: &mut Window, list: &str, entry: &str) {
+    click(window, Role::ComboBox, list);
+    window.get_all_by_label(entry).last().unwrap().click();
+    window.run_steps(3);
+}
+
 /// Types `text` into the number field called `name`, and stays in it.
 fn type_into(window: &mut Window, name: &str, text: &str) {
     window.get_by_role_and_label(Role::SpinButton, name).click();

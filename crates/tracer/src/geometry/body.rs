@@ -39,8 +39,8 @@ pub(crate) struct RenderBody {
     pub parameter: f32,
     /// Index into the scene's materials.
     pub material: u32,
-    /// Index into the scene's checkers, or [`NO_BODY`].
-    pub checker: u32,
+    /// Place in the scene's patterns of its outermost one, or [`NO_BODY`].
+    pub solid: u32,
     /// [`ShapeKind`] as a number.
     pub kind: u8,
     /// 1 if each axis of the frame is parallel to the same one of the world, else 0.
@@ -51,7 +51,7 @@ pub(crate) struct RenderBody {
     pub double: u8,
 }
 
-/// A body made ready for a scene: opaque, without a checker, of the first material.
+/// A body made ready for a scene: opaque, without a pattern, of the first material.
 pub(crate) struct PreparedBody {
     pub(crate) body: RenderBody,
     /// `None` for a plane.
@@ -69,7 +69,7 @@ impl RenderBody {
         error_bound: 0.0,
         parameter: 0.0,
         material: 0,
-        checker: NO_BODY,
+        solid: NO_BODY,
         kind: ShapeKind::Sphere as u8,
         aligned: 1,
         transparent: 0,
@@ -135,7 +135,7 @@ impl RenderBody {
             },
             parameter: if kind == ShapeKind::Sphere { radius } else { cone_ratio as f32 },
             material: 0,
-            checker: NO_BODY,
+            solid: NO_BODY,
             kind: kind as u8,
             aligned: u8::from([body_from_world, world_from_body_rows].iter().all(is_diagonal)),
             transparent: 0,
@@ -231,9 +231,9 @@ impl RenderBody {
         self.double != 0
     }
 
-    /// Whether the checkerboard of the body looks at points of the space of the rays, not of the body's frame.
-    pub(crate) fn sees_checker_in_world(&self) -> bool {
-        self.is_double() && self.checker != NO_BODY
+    /// Whether the pattern of the body looks at points of the space of the rays, not of the body's frame.
+    pub(crate) fn sees_solid_in_world(&self) -> bool {
+        self.is_double() && self.solid != NO_BODY
     }
 
     /// Whether light passes through the body.
@@ -352,9 +352,9 @@ pub(crate) struct SurfacePoint<R> {
 }
 
 impl<R: Float> SurfacePoint<R> {
-    /// The point as the checkerboard of its body wants it.
+    /// The point as the pattern of its body wants it.
     #[inline(always)]
-    pub(crate) fn on_checker(&self, body: &RenderBody) -> Vector<R> {
+    pub(crate) fn on_solid(&self, body: &RenderBody) -> Vector<R> {
         if body.is_double() { self.in_world } else { self.in_body }
     }
 }

@@ -7,7 +7,7 @@ struct Body {
     slack: f32,
     parameter: f32,
     material: u32,
-    checker: u32,
+    solid: u32,
     // The kind of shape in the lowest byte, whether light passes through in the upper half.
     kind_and_transparent: u32,
 }

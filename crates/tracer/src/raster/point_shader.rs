@@ -21,6 +21,7 @@ use crate::transport::sampler::Sampler;
 use crate::transport::scene::RenderScene;
 use crate::transport::shading::{PacketSource, ShadingContext};
 use crate::transport::surface::bsdf::BsdfValue;
+use crate::transport::texture::solid::patterned;
 
 /// A point of a surface that is to be lit.
 #[derive(Clone, Copy, Debug)]
@@ -241,25 +242,20 @@ impl<W: Width> PathObserver<W> for SplitLight<W> {
 /// The color C of a body at a point of its surface.
 pub(crate) fn color_at(scene: &RenderScene, body: u32, point: &SurfacePoint<f32>) -> Vector<f32> {
     let body = scene.geometry.body(body);
-    colors_of(ScalarWidth, scene, body, (point.in_body, point.on_checker(body)), true)
+    colors_of(ScalarWidth, scene, body, (point.in_body, point.on_solid(body)), true)
 }
 
-/// The colors C of a body at points of its own frame, which its checkerboard sees as `on_checker`.
+/// The colors C of a body at points of its own frame, which its pattern sees as `on_solid`.
 #[inline(always)]
 pub(crate) fn colors_of<W: Width>(
     w: W,
     scene: &RenderScene,
     body: &RenderBody,
-    (in_body, on_checker): (Vector<W::R>, Vector<W::R>),
+    (in_body, on_solid): (Vector<W::R>, Vector<W::R>),
     lanes: W::M,
 ) -> Vector<W::R> {
     let color = scene.material(body).color_at(w, body, in_body, lanes);
-    match scene.checkers.get(body.checker as usize) {
-        Some(checker) => {
-            Vector::select(checker.is_odd(on_checker), Vector::splat(w.real(0.0), checker.color), color)
-        }
-        None => color,
-    }
+    patterned(w, &scene.solids, body.solid, color, on_solid)
 }
 
 /// Coefficient k_r, if a ray that carries it is traced at all.

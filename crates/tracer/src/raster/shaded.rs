@@ -1,6 +1,6 @@
 //! `flat`, `gouraud`, `phong`: bodies of faces, drawn with local light alone.
 //!
-//! What the three interpolate across a face is the light; the color that it falls on, a checkerboard's too, is looked up
+//! What the three interpolate across a face is the light; the color that it falls on, a pattern's too, is looked up
 //! at the pixel's point in all three. So the pictures differ by the way of shading and by nothing else.
 
 pub(crate) mod batch;

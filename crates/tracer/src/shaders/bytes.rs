@@ -22,7 +22,7 @@ use crate::transport::sampling::sample_offset;
 use crate::transport::scene::RenderScene;
 use crate::transport::scene::log::SceneChanges;
 use crate::transport::surface::material::RenderMaterial;
-use crate::transport::texture::checker::CheckerTexture;
+use crate::transport::texture::solid::SolidNode;
 use crate::transport::tile_rect::{TILE, TileRect};
 
 /// Bytes to a body of [`SceneArrays::scene_order`].
@@ -103,9 +103,9 @@ impl<'a> SceneArrays<'a> {
         PictureAtlas::of(self.0)
     }
 
-    /// The checkers.
-    pub fn checkers(self) -> Vec<u8> {
-        bytes(self.0.checkers.iter().map(CheckerTexture::rows))
+    /// The patterns.
+    pub fn solids(self) -> Vec<u8> {
+        bytes(self.0.solids.iter().map(SolidNode::rows))
     }
 
     /// The lights, in the form that the same shader reads.

@@ -11,6 +11,7 @@ use crate::transport::media::MediumStacks;
 use crate::transport::scene::RenderScene;
 use crate::transport::scene::log::SceneChanges;
 use crate::transport::surface::material::RenderMaterial;
+use crate::transport::texture::solid::SolidNode;
 
 /// What is found among the bodies of a scene, or was before an edit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -36,8 +37,10 @@ pub struct ShaderSpecialization {
     pub media: u32,
     /// How many rays of one tree may wait.
     pub stack: u32,
-    /// Whether bodies have checkers.
-    pub checkers: bool,
+    /// Whether bodies have patterns.
+    pub solids: bool,
+    /// Whether there are others than checkerboards, or patterns within patterns.
+    pub any_solids: bool,
     /// Whether primary rays start in different media: those of a parallel projection, among transparent bodies.
     pub asks_each_start: bool,
     /// What there is of physical materials and lights.
@@ -158,7 +161,8 @@ impl ShaderSpecialization {
             depth,
             media: if is_clear { media } else { 0 },
             stack: if is_clear { waiting.next_multiple_of(4) } else { 0 },
-            checkers: !scene.checkers.is_empty(),
+            solids: !scene.solids.is_empty(),
+            any_solids: !scene.solids.iter().all(SolidNode::is_checker_alone),
             asks_each_start: is_clear && camera.parallel_height().is_some(),
             physical,
             sky: EnvironmentKind::of(scene),

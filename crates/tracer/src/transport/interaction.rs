@@ -7,6 +7,7 @@ use crate::simd::vector::Vector;
 use crate::simd::{MOST_LANES, Mask as _, Width, Word as _};
 use crate::transport::scene::RenderScene;
 use crate::transport::surface::bsdf::{Bsdf, SurfaceColors};
+use crate::transport::texture::solid::patterned;
 
 /// The points that rays side by side met. Of rays that met nothing, the numbers mean nothing.
 #[derive(Clone, Copy)]
@@ -102,13 +103,7 @@ impl<W: Width> SurfaceInteraction<W> {
         if FULL {
             color = material.color_at(w, body, point.in_body, lanes);
         }
-        if let Some(checker) = scene.checkers.get(body.checker as usize) {
-            color = Vector::select(
-                checker.is_odd(point.on_checker(body)),
-                Vector::splat(zero, checker.color),
-                color,
-            );
-        }
+        color = patterned(w, &scene.solids, body.solid, color, point.on_solid(body));
         let select = |own: Vector<W::R>, old| if FIRST { own } else { Vector::select(lanes, own, old) };
         self.position = select(point.in_world, self.position);
         self.bsdf.normal = select(point.normal, self.bsdf.normal);

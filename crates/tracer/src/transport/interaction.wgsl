@@ -20,7 +20,7 @@ struct SurfaceInteraction {
 fn interaction(ray: Ray, hit: HitRecord) -> SurfaceInteraction {
     let point = surface_point(hit.body, ray, hit.t, hit.leaving);
     let material = material_of(hit.body);
-    let color = checkered(color_at(material.color, hit.body, point.in_body), hit.body, point.in_body);
+    let color = patterned(color_at(material.color, hit.body, point.in_body), hit.body, point.in_body);
     var at: SurfaceInteraction;
     at.t = hit.t;
     at.body = hit.body;

@@ -76,8 +76,8 @@ pub struct SurfaceRecord {
     pub alpha: f32,
     /// C: the body's color at this point.
     pub color: Vec3,
-    /// Whether the point lies in an odd cell of a checker, so that C is the checker's color.
-    pub is_odd_cell: bool,
+    /// How far C is the second color of the body's pattern; of patterns within each other, of the outermost.
+    pub second_share: Option<f32>,
     /// k_a.
     pub ambient_coefficient: f32,
     /// I_a.

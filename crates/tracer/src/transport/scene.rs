@@ -30,7 +30,7 @@ use crate::transport::scene::log::EditLog;
 pub(crate) use crate::transport::scene::log::SceneChanges;
 use crate::transport::surface::bsdf::BodyMaterials;
 use crate::transport::surface::material::RenderMaterial;
-use crate::transport::texture::checker::CheckerTexture;
+use crate::transport::texture::solid::SolidNode;
 
 /// A scene prepared for tracing, shared by reference between threads.
 ///
@@ -41,7 +41,8 @@ pub struct RenderScene {
     pub(crate) geometry: Geometry,
     // Shared with the scenes of some of the bodies.
     pub(crate) materials: Arc<Vec<RenderMaterial>>,
-    pub(crate) checkers: Arc<Vec<CheckerTexture>>,
+    /// The patterns of bodies, those of a body in a row.
+    pub(crate) solids: Arc<Vec<SolidNode>>,
     pub(crate) lights: Arc<[RenderLight]>,
     pub(crate) camera: RenderCamera,
     pub(crate) sky: EnvironmentLight,
@@ -58,7 +59,7 @@ pub struct RenderScene {
     pub(crate) lanes: SimdLevel,
     /// For each light, the bodies that may stand in the way to it: [`Self::candidates_to_lights`] finds them.
     to_lights: OnceLock<Vec<Option<VisibleBodies>>>,
-    /// Materials and checkers that edits have added.
+    /// Materials and patterns that edits have added.
     added: u32,
     /// What edits have changed of the bodies and the hierarchy.
     log: EditLog,
@@ -145,7 +146,7 @@ impl RenderScene {
             return Err(SceneBuildError::TooManyBodies(scene.bodies.len()));
         }
         let space = RenderSpace::of(scene, camera);
-        let BodyBuild { mut entries, planes, bodies, joined, materials, checkers, doubles } =
+        let BodyBuild { mut entries, planes, bodies, joined, materials, solids, doubles } =
             BodyBuild::of(scene, &space)?;
         let hierarchy = Accelerator::over(&mut entries, search);
         let bounds = hierarchy.bounds(&entries);
@@ -194,7 +195,7 @@ impl RenderScene {
             absorbs: materials.iter().any(RenderMaterial::absorbs),
             disperses: materials.iter().any(|material| material.dispersion.is_some()),
             materials: materials.into(),
-            checkers: checkers.into(),
+            solids: solids.into(),
             lights: scene
                 .lights
                 .iter()
@@ -319,7 +320,7 @@ impl RenderScene {
     pub fn bytes(&self) -> usize {
         self.geometry.bytes()
             + size_of_val(&*self.materials)
-            + size_of_val(&*self.checkers)
+            + size_of_val(&*self.solids)
             + size_of_val(&*self.lights)
     }
 

@@ -1,7 +1,7 @@
 //! Pictures on bodies.
 
-pub(crate) mod checker;
 pub(crate) mod lookup;
+pub(crate) mod solid;
 
 use catoptric_scene::Pattern;
 

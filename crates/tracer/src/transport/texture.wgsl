@@ -7,7 +7,7 @@ struct Place {
     repeats: bool,
 }
 
-// The color of a body, but for its checker, at a point of its own frame: below 0 stands a picture.
+// The color of a body, but for its pattern, at a point of its own frame: below 0 stands a picture.
 fn color_at(color: vec3<f32>, body: u32, in_body: vec3<f32>) -> vec3<f32> {
     if color.x >= 0.0 {
         return color;

@@ -56,7 +56,7 @@ struct Film {
 @group(0) @binding(2) var<storage, read> scene_order: array<vec2<u32>>;
 @group(0) @binding(3) var<storage, read> boxes: array<Box>;
 // The fourth, `materials`, is declared where their form is.
-@group(0) @binding(5) var<storage, read> checkers: array<Checker>;
+@group(0) @binding(5) var<storage, read> solids: array<Solid>;
 @group(0) @binding(6) var<storage, read> lights: array<Light>;
 @group(0) @binding(7) var<storage, read> tiles: array<CameraRays>;
 @group(0) @binding(8) var<storage, read_write> film: Film;

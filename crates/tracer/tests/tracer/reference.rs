@@ -10,7 +10,7 @@ use catoptric_picture::{
 use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, render};
 
 /// Fewer scenes than this mean that the folder was not found whole.
-const LEAST_SCENES: usize = 39;
+const LEAST_SCENES: usize = 40;
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/reference")

@@ -133,7 +133,7 @@ impl<'a> Faulty<'a> {
 
     fn color(&self, body: &Body, position: DVec3) -> DVec3 {
         let pattern = &body.phong.pattern;
-        let color = match &pattern.checker {
+        let color = match &pattern.solid {
             Some(checker) => {
                 let cell = (position / checker.size + 1e-6).floor().element_sum();
                 if cell.rem_euclid(2.0) == 0.0 { pattern.color } else { checker.color }

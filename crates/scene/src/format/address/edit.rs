@@ -198,6 +198,11 @@ fn put(
     };
     remove(lines, key.name);
     key.excludes.iter().for_each(|other| remove(lines, other));
+    // So do the tables on the way.
+    for (depth, step) in tables.iter().enumerate() {
+        let around = tables.get(..depth).unwrap_or_default();
+        lines.retain(|line| step.key.excludes.iter().all(|other| !line.is_of(around, other)));
+    }
     if let (Kind::Choice(words), SceneValue::Text(word)) = (key.kind, &value)
         && words.contains(&word.as_str())
     {

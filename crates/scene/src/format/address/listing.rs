@@ -54,7 +54,7 @@ pub(super) fn parts(scene: &Scene) -> impl Iterator<Item = ScenePart> + use<> {
 pub(super) fn keys_of(scene: &Scene, part: ScenePart) -> Vec<SceneKey> {
     let mut found = Vec::new();
     if let Some(record) = record(scene, part) {
-        add(&record, &segments(scene, part), &mut found);
+        add(&record, false, &segments(scene, part), &mut found);
     }
     found
 }
@@ -77,8 +77,8 @@ pub(super) fn segments(scene: &Scene, part: ScenePart) -> Vec<PathSegment> {
     }
 }
 
-/// Adds the keys of a table that have a meaning.
-fn add(record: &Record<'_>, path: &[PathSegment], found: &mut Vec<SceneKey>) {
+/// Adds the keys of a table that have a meaning; whether it is only one that there could be.
+fn add(record: &Record<'_>, is_absent: bool, path: &[PathSegment], found: &mut Vec<SceneKey>) {
     for spec in record.table.0.keys {
         if !spec.applies(|choice| record.chosen(choice)) || record.key_against(spec).is_some() {
             continue;
@@ -91,12 +91,13 @@ fn add(record: &Record<'_>, path: &[PathSegment], found: &mut Vec<SceneKey>) {
                     Some(Datum::Text(name)) if !name.is_empty() => PathSegment::name(name),
                     _ => PathSegment::key(&index.to_string()),
                 };
-                add(element, &[segments.as_slice(), &[own]].concat(), found);
+                add(element, false, &[segments.as_slice(), &[own]].concat(), found);
             }
         }
         let inner = match (datum, spec.kind) {
             (Some(Datum::Table(inner)), _) => Some(inner),
-            (None, Kind::Table(table)) => Some(&Record::new(table)),
+            // Within what is absent, nothing else is asked for.
+            (None, Kind::Table(table)) if !is_absent => Some(&Record::new(table)),
             _ => None,
         };
         if !matches!(spec.kind, Kind::Table(_) | Kind::List(_)) {
@@ -104,7 +105,7 @@ fn add(record: &Record<'_>, path: &[PathSegment], found: &mut Vec<SceneKey>) {
             found.push(SceneKey { path: ScenePath { segments: segments.clone() }, spec, value });
         }
         if let Some(inner) = inner {
-            add(inner, &segments, found);
+            add(inner, datum.is_none(), &segments, found);
         }
     }
 }

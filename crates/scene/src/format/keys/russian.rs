@@ -1,6 +1,6 @@
 //! The tables and keys of the format in Russian.
 
-use super::{BODY, CAMERA, CHECKER, ENVIRONMENT, LIGHT, MATERIAL, PART, ROOT, SKY, TRACING};
+use super::{BODY, CAMERA, ENVIRONMENT, LIGHT, MATERIAL, NESTED_PATTERN, PART, PATTERN, ROOT, SKY, TRACING};
 use crate::format::spec::{KeySpec, TableSpec};
 
 /// A table in Russian.
@@ -27,7 +27,12 @@ pub(crate) fn doc(key: &KeySpec) -> &'static str {
     docs.into_iter().find(|(name, _)| *name == key.name).map_or(key.doc, |(_, doc)| *doc)
 }
 
-static TABLES: [RussianTable; 10] = [
+const CHECKER: &str = "второй цвет: шахматная раскраска";
+const STRIPES: &str = "второй цвет: через слой вдоль оси X";
+const RINGS: &str = "второй цвет: через кольцо вокруг оси Y";
+const GRADIENT: &str = "второй цвет, в который первый снова и снова переходит вдоль оси X";
+
+static TABLES: [RussianTable; 11] = [
     RussianTable {
         table: &ROOT,
         genitive: "сцены",
@@ -117,20 +122,33 @@ static TABLES: [RussianTable; 10] = [
             ("roughness", "шероховатость отражающей поверхности; 0 — гладкая"),
             ("texture", "картинка на теле вместо его цвета"),
             ("layer", LAYER),
-            ("checker", "второй цвет: шахматная раскраска"),
+            ("checker", CHECKER),
+            ("stripes", STRIPES),
+            ("rings", RINGS),
+            ("gradient", GRADIENT),
         ],
     },
     RussianTable {
-        table: &CHECKER,
-        genitive: "шахматной раскраски",
+        table: &PATTERN,
+        genitive: "узора",
         docs: &[
-            ("color", "цвет нечётных клеток"),
-            ("size", "длина ребра клетки, метры"),
+            ("color", "второй цвет, нечётных клеток"),
+            ("size", "ширина клетки, метры"),
             (
                 "space",
                 "относительно чего клетки неподвижны; клетки тела движутся и поворачиваются вместе с ним",
             ),
+            ("position", "начало узора, метры"),
+            ("rotation", "повороты вокруг неподвижных осей X, затем Y, затем Z, градусы"),
+            ("scale", "множитель размера или три множителя"),
+            ("first", "узор вместо первого цвета"),
+            ("second", "узор вместо второго цвета"),
         ],
+    },
+    RussianTable {
+        table: &NESTED_PATTERN,
+        genitive: "узора в узоре",
+        docs: &[("checker", CHECKER), ("stripes", STRIPES), ("rings", RINGS), ("gradient", GRADIENT)],
     },
     RussianTable {
         table: &LIGHT,

@@ -299,12 +299,12 @@ messages! {
     DeepestParts { most: String }:
         "parts within parts can be nested {most} levels deep",
         "частей одна в другой может быть не больше {most} уровней";
-    PartsOfSimple { shape: &'static str }:
-        "a {shape} has no parts",
-        "у тела формы \"{shape}\" частей не бывает";
-    UndefinedBody { name: String }:
-        "the body {name} is not defined",
-        "тело {name} не определено";
+    PartsOfSimple { shape: &'static str }: "a {shape} has no parts", "у тела формы \"{shape}\" частей не бывает";
+    UndefinedBody { name: String }: "the body {name} is not defined", "тело {name} не определено";
+    PatternsTooDeep: "patterns are nested too deep", "узоры вложены слишком глубоко";
+    DeepestPatterns { most: String }:
+        "patterns within patterns can be nested {most} levels deep",
+        "узоров один в другом может быть не больше {most} уровней";
     InstanceOfBody:
         "`instance_of` is the name of another body of the scene, which may be hidden",
         "`instance_of` — имя другого тела сцены, возможно скрытого";

@@ -1,7 +1,7 @@
 //! Notes when a surface or its highlight would send out more light than it receives.
 
 use catoptric_lab::depth::{ExcessKind, excess_of};
-use catoptric_scene::{Color, Material, Pattern};
+use catoptric_scene::{Color, Material, Pattern, SolidTexture};
 use egui::{Label, RichText, Sense, Ui, vec2};
 use egui_material_icons::MaterialIcon;
 use egui_material_icons::icons::{ICON_INFO, ICON_WARNING};
@@ -51,8 +51,9 @@ fn told(texts: &Texts, material: &Material, kind: ExcessKind, amount: &str) -> (
 fn is_brighter_than_white(pattern: &Pattern) -> bool {
     let has_picture = pattern.texture.as_ref().is_some_and(|image| image.pixels().is_some());
     let own = (!has_picture).then_some(pattern.color);
-    let colors = [own, pattern.checker.map(|checker| checker.color)];
-    colors.into_iter().flatten().flat_map(Color::to_array).any(|part| part > 1.0)
+    let patterns = pattern.solid.iter().flat_map(SolidTexture::all);
+    let colors = own.into_iter().chain(patterns.map(|solid| solid.color));
+    colors.flat_map(Color::to_array).any(|part| part > 1.0)
 }
 
 fn line_ui(ui: &mut Ui, icon: MaterialIcon, color: egui::Color32, text: String, tip: Option<&str>) {

@@ -389,7 +389,7 @@ fn rows_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>, homes: &[Ma
         ground_ui(ui, sheet);
         physical::rows_ui(ui, sheet);
     }
-    pattern::checker_ui(ui, sheet);
+    pattern::solid_ui(ui, sheet);
     energy::energy_ui(ui, sheet.texts(), sheet.primary);
 }
 

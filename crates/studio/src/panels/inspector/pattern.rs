@@ -1,76 +1,142 @@
-//! Colors that change over a surface: a picture, a checkerboard.
+//! Colors that change over a surface: a picture, a pattern.
 
 use catoptric_scene::format::keys;
-use catoptric_scene::{Checker, CheckerSpace, Material};
-use egui::Ui;
+use catoptric_scene::{Material, PatternSpace, SolidKind, SolidTexture};
+use egui::{ComboBox, Ui};
 
+use super::header;
 use super::image::{self, ImageMenuChoice, OtherChoice};
-use super::sheet::{ColorRow, NumberRow, PropertySheet, RowQuantity, SliderRail, Unit};
+use super::sheet::{
+    ColorRow, NumberRow, PropertySheet, RowQuantity, SliderRail, Unit, VectorRow, VectorSpread,
+};
 use super::symbol::Symbol;
 use crate::base::widgets::choice::{ChoiceItem, choice_ui};
 use crate::base::widgets::row::control_width;
-use crate::base::widgets::tip::tip_beside;
+use crate::base::widgets::tip::tip_beside_entry;
 use crate::state::images::ImageUse;
 
-static CHECKER_COLOR: ColorRow<Material> = ColorRow {
-    what: RowQuantity::new("checker-color", "edit-checker-color", &keys::CHECKER, "color"),
-    get: |material| checker_of(material).map(|checker| checker.color),
-    set: |material, color| edit_checker(material, |checker| checker.color = color),
+static PATTERN_COLOR: ColorRow<Material> = ColorRow {
+    what: RowQuantity::new("pattern-color", "edit-pattern-color", &keys::PATTERN, "color"),
+    get: |material| solid_of(material).map(|solid| solid.color),
+    set: |material, color| edit_solid(material, |solid| solid.color = color),
 };
 
-static CHECKER_SIZE: NumberRow<Material> = NumberRow::<Material>::new(
-    RowQuantity::new("checker-size", "edit-checker-size", &keys::CHECKER, "size")
+static PATTERN_SIZE: NumberRow<Material> = NumberRow::<Material>::new(
+    RowQuantity::new("pattern-size", "edit-pattern-size", &keys::PATTERN, "size")
         .in_unit(Unit::Meters)
-        .with_symbol(Symbol::CheckerSize),
+        .with_symbol(Symbol::PatternSize),
     SliderRail::None,
-    |material| checker_of(material).map(|checker| checker.size),
-    |material, value| edit_checker(material, |checker| checker.size = value),
+    |material| solid_of(material).map(|solid| solid.size),
+    |material, value| edit_solid(material, |solid| solid.size = value),
 );
 
-fn checker_of(material: &Material) -> Option<Checker> {
-    material.pattern().and_then(|pattern| pattern.checker)
+static PATTERN_POSITION: VectorRow<Material> = VectorRow::<Material>::new(
+    RowQuantity::new("pattern-position", "edit-pattern-position", &keys::PATTERN, "position")
+        .in_unit(Unit::Meters),
+    VectorSpread::Same,
+    |material| solid_of(material).map(|solid| solid.position),
+    |material, value| edit_solid(material, |solid| solid.position = value),
+);
+
+static PATTERN_ROTATION: VectorRow<Material> = VectorRow::<Material>::new(
+    RowQuantity::new("pattern-rotation", "edit-pattern-rotation", &keys::PATTERN, "rotation")
+        .in_unit(Unit::Degrees),
+    VectorSpread::Same,
+    |material| solid_of(material).map(|solid| solid.rotation_degrees),
+    |material, value| edit_solid(material, |solid| solid.rotation_degrees = value),
+)
+.tuned(0.5, 2);
+
+static PATTERN_SCALE: VectorRow<Material> = VectorRow::<Material>::new(
+    RowQuantity::new("pattern-scale", "edit-pattern-scale", &keys::PATTERN, "scale"),
+    VectorSpread::Same,
+    |material| solid_of(material).map(|solid| solid.scale),
+    |material, value| edit_solid(material, |solid| solid.scale = value),
+);
+
+fn solid_of(material: &Material) -> Option<&SolidTexture> {
+    material.pattern().and_then(|pattern| pattern.solid.as_ref())
 }
 
-fn edit_checker(material: &mut Material, edit: impl FnOnce(&mut Checker)) {
-    material.pattern_mut().and_then(|pattern| pattern.checker.as_mut()).map(edit);
+fn edit_solid(material: &mut Material, edit: impl FnOnce(&mut SolidTexture)) {
+    material.pattern_mut().and_then(|pattern| pattern.solid.as_mut()).map(edit);
 }
 
-/// Draws the second color of a pattern, if the model has one.
-pub(super) fn checker_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>) {
+const fn key_of(kind: Option<SolidKind>) -> &'static str {
+    match kind {
+        None => "pattern-none",
+        Some(SolidKind::Checker) => "pattern-checker",
+        Some(SolidKind::Stripes) => "pattern-stripes",
+        Some(SolidKind::Rings) => "pattern-rings",
+        Some(SolidKind::Gradient) => "pattern-gradient",
+    }
+}
+
+/// Draws the pattern, if the model has one.
+pub(super) fn solid_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>) {
     let Some(pattern) = sheet.primary.pattern() else { return };
-    let mut is_on = pattern.checker.is_some();
-    let mut is_clicked = false;
+    kind_ui(ui, sheet, pattern.solid.as_ref().map(|solid| solid.kind));
+    let Some(solid) = &pattern.solid else { return };
+    sheet.color(ui, &PATTERN_COLOR);
+    sheet.number(ui, &PATTERN_SIZE, None);
+    space_ui(ui, sheet, solid.space);
+    sheet.vector(ui, &PATTERN_POSITION);
+    sheet.vector(ui, &PATTERN_ROTATION);
+    sheet.vector(ui, &PATTERN_SCALE);
+    let within = solid.all().len() - 1;
+    if within > 0 {
+        header::hint(ui, &sheet.texts().with("pattern-within", &[("count", within.into())]));
+    }
+}
+
+fn kind_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>, chosen: Option<SolidKind>) {
     let texts = sheet.texts();
-    sheet.plain_row(ui, "checker", |_, ui| {
-        let response = ui.checkbox(&mut is_on, texts.get("checker-words"));
-        is_clicked = tip_beside(ui, response, texts.tip("checker").unwrap_or_default()).clicked();
+    let kinds = [None].into_iter().chain(SolidKind::ALL.map(Some));
+    let mut picked = None;
+    sheet.plain_row(ui, "pattern", |_, ui| {
+        let combo = ComboBox::from_id_salt("pattern")
+            .selected_text(texts.get(key_of(chosen)))
+            .width(control_width(ui))
+            .truncate();
+        let list = combo.show_ui(ui, |ui| {
+            for kind in kinds {
+                let label = ui.selectable_label(kind == chosen, texts.get(key_of(kind)));
+                let label = tip_beside_entry(label, texts.tip(key_of(kind)).unwrap_or_default());
+                if label.clicked() {
+                    picked = Some(kind);
+                }
+            }
+        });
+        list.response.accessible_name(texts.get("pattern"));
     });
-    if is_clicked {
-        sheet.change("checker", "edit-checker", |_, material| {
+    if let Some(kind) = picked.filter(|kind| *kind != chosen) {
+        sheet.change("pattern", "edit-pattern", |_, material| {
             if let Some(pattern) = material.pattern_mut() {
-                pattern.checker = is_on.then(|| pattern.checker.unwrap_or_default());
+                let old = pattern.solid.take();
+                pattern.solid = kind.map(|kind| SolidTexture { kind, ..old.unwrap_or_default() });
             }
         });
     }
-    sheet.color(ui, &CHECKER_COLOR);
-    sheet.number(ui, &CHECKER_SIZE, None);
-    let Some(checker) = pattern.checker else { return };
-    let choices = CheckerSpace::ALL.map(|space| {
+}
+
+fn space_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>, chosen: PatternSpace) {
+    let texts = sheet.texts();
+    let choices = PatternSpace::ALL.map(|space| {
         let key = match space {
-            CheckerSpace::World => "checker-world",
-            CheckerSpace::Body => "checker-body",
+            PatternSpace::World => "pattern-world",
+            PatternSpace::Body => "pattern-body",
         };
         let tip = texts.tip(key).unwrap_or_default();
         ChoiceItem { value: space, text: texts.get(key), tip, is_enabled: true }
     });
     let mut picked = None;
-    sheet.plain_row(ui, "checker-space", |sheet, ui| {
-        let (id, width) = (sheet.id.with("checker-space"), control_width(ui));
-        picked = choice_ui(ui, id, texts.get("checker-space"), width, &choices, Some(checker.space));
+    sheet.plain_row(ui, "pattern-space", |sheet, ui| {
+        let (id, width) = (sheet.id.with("pattern-space"), control_width(ui));
+        picked = choice_ui(ui, id, texts.get("pattern-space"), width, &choices, Some(chosen));
     });
     if let Some(space) = picked {
-        sheet.change("checker-space", "edit-checker-space", |_, material| {
-            edit_checker(material, |checker| checker.space = space);
+        sheet.change("pattern-space", "edit-pattern-space", |_, material| {
+            edit_solid(material, |solid| solid.space = space);
         });
     }
 }

@@ -39,8 +39,8 @@ pub(crate) enum Symbol {
     Refracted,
     /// η
     Ior,
-    /// s of the checker
-    CheckerSize,
+    /// s of a pattern
+    PatternSize,
     /// The color of a light
     LightColor,
     /// The intensity of a light
@@ -67,7 +67,7 @@ impl Symbol {
             Self::Transmission => "k_t",
             Self::Tint => "τ",
             Self::Ior => "η",
-            Self::CheckerSize => "s",
+            Self::PatternSize => "s",
             Self::Reflected | Self::Refracted | Self::LightColor | Self::Intensity => "",
         }
     }
@@ -93,7 +93,7 @@ impl Symbol {
             Self::Tint => "tint",
             Self::Refracted => "in-formula-refracted",
             Self::Ior => "ior",
-            Self::CheckerSize => "checker-size",
+            Self::PatternSize => "pattern-size",
             Self::LightColor => "light-color",
             Self::Intensity => "intensity",
         }

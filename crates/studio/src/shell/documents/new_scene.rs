@@ -1,8 +1,8 @@
 //! The scene of a new document: a ball on a checkered floor under a light, ready to work in.
 
 use catoptric_scene::{
-    Body, Camera, Checker, Color, Environment, Light, Material, MaterialChoice, Pattern, Phong, Placement,
-    Projection, Scene, Shape,
+    Body, Camera, Color, Environment, Light, Material, MaterialChoice, Pattern, Phong, Placement, Projection,
+    Scene, Shape, SolidTexture,
 };
 use glam::DVec3;
 
@@ -13,7 +13,11 @@ pub(crate) fn fresh_scene(texts: &Texts) -> Scene {
     let floor = Material::Phong(Phong {
         pattern: Pattern {
             color: Color::new(0.62, 0.63, 0.65),
-            checker: Some(Checker { color: Color::new(0.30, 0.31, 0.33), size: 1.0, ..Checker::default() }),
+            solid: Some(SolidTexture {
+                color: Color::new(0.30, 0.31, 0.33),
+                size: 1.0,
+                ..SolidTexture::default()
+            }),
             ..Pattern::default()
         },
         ambient: 0.15,

@@ -28,7 +28,7 @@ const TERMS: [GlossaryTerm; 27] = [
     term("k", "t", "glossary-transmission"),
     term("η", "", "glossary-ior"),
     term("τ", "", "glossary-tint"),
-    term("s", "", "glossary-checker"),
+    term("s", "", "glossary-pattern"),
     term("I", "j", "glossary-intensity"),
     term("A(d)", "", "glossary-falloff"),
     term("I", "a", "glossary-ambient-light"),

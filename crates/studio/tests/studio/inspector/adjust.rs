@@ -142,9 +142,9 @@ fn every_coefficient() {
     for (name, value, step, get) in cases {
         adjusts(&mut window, name, value, step, |scene| get(own_material(sphere_of(scene))));
     }
-    click(&mut window, Role::CheckBox, "second color");
-    adjusts(&mut window, "s cell size", 0.5, "edit-checker-size", |scene| {
-        own_material(sphere_of(scene)).pattern.checker.unwrap().size
+    choose(&mut window, "Pattern", "Checker");
+    adjusts(&mut window, "s cell size", 0.5, "edit-pattern-size", |scene| {
+        own_material(sphere_of(scene)).pattern.solid.as_ref().unwrap().size
     });
 }
 

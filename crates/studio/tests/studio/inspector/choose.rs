@@ -1,7 +1,7 @@
 //! Everything that is chosen rather than measured.
 
 use super::*;
-use catoptric_scene::{Material, ScenePart, ShapeKind};
+use catoptric_scene::{Material, ScenePart, ShapeKind, SolidKind, SolidTexture};
 
 #[test]
 fn every_shape() {
@@ -68,11 +68,9 @@ fn reflection_follows_the_highlight_or_not() {
 
 #[test]
 fn a_model_that_comes_back_has_its_numbers_again() {
-    fn choose(window: &mut Window, model: &str) -> Material {
+    fn model(window: &mut Window, model: &str) -> Material {
         let before = scene(window);
-        click(window, Role::ComboBox, "Model");
-        window.get_all_by_label(model).last().unwrap().click();
-        window.run_steps(3);
+        choose(window, "Model", model);
         holds_as_step(window, &before, "edit-model");
         let MaterialChoice::Inline(material) = sphere_of(&scene(window)).material.clone() else { panic!() };
         *material
@@ -80,26 +78,32 @@ fn a_model_that_comes_back_has_its_numbers_again() {
     let mut window = with_body(Shape::SPHERE);
     enter(&mut window, "k_d diffuse", "0.35");
     let phong = own_material(sphere_of(&scene(&window))).clone();
-    let Material::Dielectric(clear) = choose(&mut window, "Clear body") else { panic!() };
+    let Material::Dielectric(clear) = model(&mut window, "Clear body") else { panic!() };
     assert_eq!(clear.index.ior(), phong.ior);
     click(&mut window, Role::CheckBox, "splits light");
     enter(&mut window, "η refraction", "1.7");
-    assert_eq!(choose(&mut window, "Phong, Whitted"), Phong { ior: 1.7, ..phong.clone() }.into());
-    let Material::Dielectric(again) = choose(&mut window, "Clear body") else { panic!() };
+    assert_eq!(model(&mut window, "Phong, Whitted"), Phong { ior: 1.7, ..phong.clone() }.into());
+    let Material::Dielectric(again) = model(&mut window, "Clear body") else { panic!() };
     assert!(again.dispersion && again.index.ior() == 1.7);
 }
 
 #[test]
-fn the_checker_is_switched() {
+fn the_pattern_is_chosen() {
     let mut window = with_body(Shape::SPHERE);
+    let solid = |window: &Window| own_material(sphere_of(&scene(window))).pattern.solid.clone();
     let before = scene(&window);
-    click(&mut window, Role::CheckBox, "second color");
-    assert!(own_material(sphere_of(&scene(&window))).pattern.checker.is_some());
-    holds_as_step(&mut window, &before, "edit-checker");
+    choose(&mut window, "Pattern", "Rings");
+    assert_eq!(solid(&window).unwrap().kind, SolidKind::Rings);
+    holds_as_step(&mut window, &before, "edit-pattern");
+    enter(&mut window, "s cell size", "0.25");
+    // What the other has too stays.
+    choose(&mut window, "Pattern", "Gradient");
+    let gradient = SolidTexture { kind: SolidKind::Gradient, size: 0.25, ..SolidTexture::default() };
+    assert_eq!(solid(&window), Some(gradient));
     let before = scene(&window);
-    click(&mut window, Role::CheckBox, "second color");
-    assert_eq!(own_material(sphere_of(&scene(&window))).pattern.checker, None);
-    holds_as_step(&mut window, &before, "edit-checker");
+    choose(&mut window, "Pattern", "none");
+    assert_eq!(solid(&window), None);
+    holds_as_step(&mut window, &before, "edit-pattern");
 }
 
 #[test]

@@ -18,12 +18,12 @@ fn enter_code(window: &mut Window, name: &str, text: &str) {
 fn every_color_by_its_code() {
     let orange = Color::from_srgb8([0xff, 0x80, 0x10]);
     let mut window = with_body(Shape::SPHERE);
-    click(&mut window, Role::CheckBox, "second color");
+    choose(&mut window, "Pattern", "Checker");
     type Case = (&'static str, &'static str, fn(&Phong) -> Color);
     let cases: [Case; 3] = [
         ("C color", "edit-color", |m| m.pattern.color),
         ("τ tint", "edit-tint", |m| m.tint),
-        ("Checker color", "edit-checker-color", |m| m.pattern.checker.unwrap().color),
+        ("Second color", "edit-pattern-color", |m| m.pattern.solid.as_ref().unwrap().color),
     ];
     for (name, step, get) in cases {
         let before = scene(&window);

@@ -107,7 +107,7 @@ fn every_panel_speaks_both_languages() {
 #[test]
 fn a_narrow_panel_can_be_used() {
     let mut window = with_body(Shape::CUBE);
-    click(&mut window, Role::CheckBox, "second color");
+    choose(&mut window, "Pattern", "Checker");
     for width in [500.0, 200.0, 60.0] {
         window.set_size(vec2(width, 600.0));
         for item in [

@@ -4,16 +4,10 @@ use catoptric_studio::{FileCommand, PictureCommand};
 use std::path::Path;
 
 use catoptric_picture::{Picture, write_exr};
-use catoptric_scene::{CheckerSpace, Image, ScenePart, Surroundings};
+use catoptric_scene::{Image, PatternSpace, ScenePart, SolidKind, Surroundings};
 
 use super::*;
 use crate::kit::wait_until;
-
-fn choose(window: &mut Window, list: &str, entry: &str) {
-    click(window, Role::ComboBox, list);
-    window.get_all_by_label(entry).last().unwrap().click();
-    window.run_steps(3);
-}
 
 fn opened(window: &mut Window) {
     window.run_steps(2);
@@ -77,13 +71,14 @@ fn a_texture_takes_the_place_of_the_color() {
 }
 
 #[test]
-fn a_checker_lies_along_the_axes_of_the_world_or_the_body() {
+fn a_pattern_lies_along_the_axes_of_the_world_or_the_body() {
     let mut window = with_body(Shape::CUBE);
-    click(&mut window, Role::CheckBox, "second color");
+    choose(&mut window, "Pattern", "Stripes");
     let before = scene(&window);
     click(&mut window, Role::RadioButton, "Along axes of: Body");
-    assert_eq!(own_material(sphere_of(&scene(&window))).pattern.checker.unwrap().space, CheckerSpace::Body);
-    holds_as_step(&mut window, &before, "edit-checker-space");
+    let solid = own_material(sphere_of(&scene(&window))).pattern.solid.clone().unwrap();
+    assert_eq!((solid.space, solid.kind), (PatternSpace::Body, SolidKind::Stripes));
+    holds_as_step(&mut window, &before, "edit-pattern-space");
 }
 
 fn write_gray(path: &Path, gray: f32, width: u32) {

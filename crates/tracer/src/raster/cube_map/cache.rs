@@ -15,7 +15,7 @@ use crate::transport::environment::EnvironmentLight;
 use crate::transport::light::RenderLight;
 use crate::transport::scene::RenderScene;
 use crate::transport::surface::material::RenderMaterial;
-use crate::transport::texture::checker::CheckerTexture;
+use crate::transport::texture::solid::SolidNode;
 
 /// The cube maps of reflecting bodies, kept from picture to picture as long as nothing that they show has changed.
 ///
@@ -141,7 +141,7 @@ pub(crate) fn around(scene: &RenderScene, index: u32) -> RenderScene {
 #[derive(Debug)]
 struct CubeMapInputs {
     /// By their places in the scene.
-    bodies: BTreeMap<u32, (RenderBody, RenderMaterial, Option<CheckerTexture>)>,
+    bodies: BTreeMap<u32, (RenderBody, RenderMaterial, Vec<SolidNode>)>,
     lights: Arc<[RenderLight]>,
     /// Background and ambient light, then the limits of tracing.
     surroundings: (EnvironmentLight, [f32; 3], u32, f32),
@@ -157,10 +157,10 @@ enum CubeMapInvalidation {
 impl CubeMapInputs {
     fn of(scene: &RenderScene) -> Self {
         let body = |(body, place): (&RenderBody, &u32)| {
-            let checker = scene.checkers.get(body.checker as usize).copied();
+            let solids = SolidNode::row_at(&scene.solids, body.solid).to_vec();
             // Numbers of materials mean nothing from scene to scene.
-            let plain = RenderBody { material: 0, checker: 0, ..*body };
-            (*place, (plain, scene.material(body).clone(), checker))
+            let plain = RenderBody { material: 0, solid: 0, ..*body };
+            (*place, (plain, scene.material(body).clone(), solids))
         };
         Self {
             bodies: scene.geometry.bodies.iter().zip(&scene.geometry.numbers).map(body).collect(),

@@ -58,8 +58,8 @@ impl<'a> PartFace<'a> {
             scene,
             body,
             part: 1 << (index - body.first),
-            // Of checkered bodies in double precision the values are places already.
-            world_from_values: (!part.sees_checker_in_world()).then_some((linear, origin)),
+            // Of bodies with patterns in double precision the values are places already.
+            world_from_values: (!part.sees_solid_in_world()).then_some((linear, origin)),
             above: outward * step,
             beside: [DVec3::ZERO, right, -right, up, -up].map(|way| way * step),
             corners,

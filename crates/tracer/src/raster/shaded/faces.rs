@@ -128,14 +128,14 @@ impl FaceList {
         // Normals go back by the inverse transpose.
         let normal_from_body = matrix(body.body_from_world);
         let origin = DVec3::from(body.origin.map(f64::from));
-        // The checkerboard of a body in double precision looks at points of the world.
-        let is_checkered = body.sees_checker_in_world();
+        // The pattern of a body in double precision looks at points of the world.
+        let has_solid = body.sees_solid_in_world();
         self.vertices.extend(mesh.vertices.iter().map(|vertex| {
             let position = origin + world_from_body * vertex.point;
             WorldVertex {
                 position,
                 normal: (normal_from_body * vertex.normal).normalize_or(DVec3::Y),
-                in_body: vector(if is_checkered { position } else { vertex.point }),
+                in_body: vector(if has_solid { position } else { vertex.point }),
                 body: index,
                 seen: [false; 2],
             }

@@ -16,7 +16,7 @@ struct SurfaceInteraction {
 fn interaction(ray: Ray, hit: HitRecord) -> SurfaceInteraction {
     let point = surface_point(hit.body, ray, hit.t, hit.leaving);
     let material = materials[bodies[hit.body].material];
-    let color = checkered(color_at(material.color, hit.body, point.in_body), hit.body, point.in_body);
+    let color = patterned(color_at(material.color, hit.body, point.in_body), hit.body, point.in_body);
     let start = hit.body | select(0u, INWARDS, hit.leaving);
     let ambient = color * (frame.ambient * material.ambient);
     return SurfaceInteraction(start, point.in_world, point.normal, ambient, color * material.diffuse, material);

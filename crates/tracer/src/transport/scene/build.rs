@@ -17,7 +17,7 @@ use crate::geometry::ray::NO_BODY;
 use crate::geometry::space::RenderSpace;
 use crate::transport::scene::SceneBuildError;
 use crate::transport::surface::material::{MaterialTable, NamedMaterials, RenderMaterial};
-use crate::transport::texture::checker::CheckerTexture;
+use crate::transport::texture::solid::SolidNode;
 
 /// What is known of a scene's bodies before they are brought into the hierarchy's order.
 ///
@@ -31,7 +31,7 @@ pub(crate) struct BodyBuild {
     pub(crate) bodies: NumberedBodies,
     pub(crate) joined: Vec<JoinedBuild>,
     pub(crate) materials: Vec<RenderMaterial>,
-    pub(crate) checkers: Vec<CheckerTexture>,
+    pub(crate) solids: Vec<SolidNode>,
     /// Those in double precision, by their numbers, in order.
     pub(crate) doubles: Vec<(u32, Body64)>,
 }
@@ -54,10 +54,10 @@ pub(crate) struct NumberedBodies {
     numbering: Members,
 }
 
-/// What the materials, checkers and joined bodies of a chunk are numbered in the scene.
+/// What the materials, patterns and joined bodies of a chunk are numbered in the scene.
 struct ChunkNumbering {
     materials: Vec<u32>,
-    first_checker: u32,
+    first_solid: u32,
     first_joined: u32,
 }
 
@@ -69,7 +69,7 @@ struct ChunkBuild<'a> {
     entries: Vec<BuildEntry>,
     planes: Vec<u32>,
     materials: MaterialTable<'a>,
-    checkers: Vec<CheckerTexture>,
+    solids: Vec<SolidNode>,
     doubles: Vec<(u32, Body64)>,
     /// Members of groups and parts of joined bodies, numbered from 0 on.
     members: Vec<MemberBuild>,
@@ -129,19 +129,19 @@ impl BodyBuild {
             },
             joined: Vec::new(),
             materials: Vec::new(),
-            checkers: Vec::new(),
+            solids: Vec::new(),
             doubles: Vec::new(),
         };
         let mut member_doubles = Vec::new();
         for chunk in chunks {
             let numbering = ChunkNumbering {
                 materials: table.append(&chunk.materials),
-                first_checker: all.checkers.len() as u32,
+                first_solid: all.solids.len() as u32,
                 first_joined: all.joined.len() as u32,
             };
             all.entries.extend(chunk.entries);
             all.planes.extend(chunk.planes);
-            all.checkers.extend(chunk.checkers);
+            all.solids.extend(chunk.solids);
             all.doubles.extend(chunk.doubles);
             let first_member = all.bodies.member_number();
             let joined = chunk.joined.into_iter();
@@ -180,8 +180,8 @@ impl JoinedBuild {
 impl ChunkNumbering {
     fn applied(&self, mut body: RenderBody) -> RenderBody {
         body.material = self.materials.get(body.material as usize).copied().unwrap_or_default();
-        if body.checker != NO_BODY {
-            body.checker += self.first_checker;
+        if body.solid != NO_BODY {
+            body.solid += self.first_solid;
         }
         if body.is_joined() {
             body.set_joined_number(body.joined_number() as u32 + self.first_joined);
@@ -228,7 +228,7 @@ impl<'a> ChunkBuild<'a> {
             entries: Vec::with_capacity(count),
             planes: Vec::new(),
             materials: MaterialTable::default(),
-            checkers: Vec::new(),
+            solids: Vec::new(),
             doubles: Vec::new(),
             members: Vec::new(),
             joined: Vec::new(),
@@ -273,7 +273,7 @@ impl<'a> ChunkBuild<'a> {
         Ok(())
     }
 
-    /// Prepares a simple body with its material and its checker.
+    /// Prepares a simple body with its material and its pattern.
     fn prepare(
         &mut self,
         place: ScenePlace<'_>,
@@ -286,9 +286,9 @@ impl<'a> ChunkBuild<'a> {
         let (material, source) = found.ok_or_else(|| place.undefined_material(choice))?;
         body.material = material;
         body.transparent = u8::from(self.materials.prepared(material).is_transparent());
-        if let Some(checker) = source.pattern().and_then(|pattern| pattern.checker.as_ref()) {
-            body.checker = self.checkers.len() as u32;
-            self.checkers.push(CheckerTexture::new(checker, canonical, self.space, body.is_double()));
+        if let Some(solid) = source.pattern().and_then(|pattern| pattern.solid.as_ref()) {
+            body.solid = self.solids.len() as u32;
+            self.solids.extend(SolidNode::row(solid, canonical, self.space, body.is_double()));
         }
         Ok(prepared)
     }

@@ -20,7 +20,7 @@ use crate::transport::light::RenderLight;
 use crate::transport::scene::log::SceneChanges;
 use crate::transport::scene::{RenderScene, bounds_of_free_ways, planes_of};
 use crate::transport::surface::material::RenderMaterial;
-use crate::transport::texture::checker::CheckerTexture;
+use crate::transport::texture::solid::SolidNode;
 
 /// How a scene becomes that of an edited scene; [`RenderScene::edit`] makes it for [`RenderScene::apply`].
 #[derive(Clone, Debug, Default)]
@@ -35,13 +35,13 @@ struct BodyEdit {
     place: u32,
     body: RenderBody,
     material: RenderMaterial,
-    checker: Option<CheckerTexture>,
+    solids: Vec<SolidNode>,
     /// Where its leaf hangs; `None` for a plane.
     path: Option<NodePath>,
 }
 
 impl RenderScene {
-    /// So many materials and checkers may be added before the next preparing tidies up.
+    /// So many materials and patterns may be added before the next preparing tidies up.
     const MOST_ADDED: u32 = 256;
 
     /// What makes this scene, prepared from `before`, that of `after`, where at most the bodies at the places `changed`
@@ -154,11 +154,11 @@ impl RenderScene {
 
     fn replace(&mut self, change: &BodyEdit) {
         let Some(old) = self.geometry.bodies.get(change.place as usize) else { return };
-        let (material, checker) = (old.material, old.checker);
+        let (material, solid) = (old.material, old.solid);
         let material = self.material_index(&change.material, material);
-        let checker = self.checker_index(change.checker, checker);
+        let solid = self.solid_place(&change.solids, solid);
         if let Some(body) = self.geometry.bodies.get_mut(change.place as usize) {
-            *body = RenderBody { material, checker, ..change.body };
+            *body = RenderBody { material, solid, ..change.body };
             if let Some(sphere) = self.geometry.spheres.get_mut(change.place as usize) {
                 *sphere = body.bounding_sphere();
             }
@@ -184,17 +184,21 @@ impl RenderScene {
         place as u32
     }
 
-    /// The place of a body's checker in the list, if it has one; `old` is that of the one that it had.
-    fn checker_index(&mut self, checker: Option<CheckerTexture>, old: u32) -> u32 {
-        let Some(checker) = checker else { return NO_BODY };
-        let checkers = Arc::make_mut(&mut self.checkers);
-        if let Some(own) = checkers.get_mut(old as usize) {
-            *own = checker;
+    /// The place of a body's patterns in the list, if it has any; `old` is that of those that it had.
+    fn solid_place(&mut self, row: &[SolidNode], old: u32) -> u32 {
+        if row.is_empty() {
+            return NO_BODY;
+        }
+        let solids = Arc::make_mut(&mut self.solids);
+        if SolidNode::row_at(solids, old).len() == row.len() {
+            let own = solids.iter_mut().skip(old as usize);
+            own.zip(row).for_each(|(own, new)| *own = *new);
             return old;
         }
-        checkers.push(checker);
+        let place = solids.len();
+        solids.extend_from_slice(row);
         self.added += 1;
-        checkers.len() as u32 - 1
+        place as u32
     }
 }
 
@@ -208,10 +212,9 @@ impl BodyEdit {
     ) -> Self {
         let material = RenderMaterial::new(of);
         body.transparent = u8::from(material.is_transparent());
-        let checker = of.pattern().and_then(|pattern| pattern.checker.as_ref());
-        let checker =
-            checker.map(|checker| CheckerTexture::new(checker, &CanonicalBody::of(source), space, false));
-        Self { place, body, material, checker, path }
+        let solid = of.pattern().and_then(|pattern| pattern.solid.as_ref());
+        let row = |solid| SolidNode::row(solid, &CanonicalBody::of(source), space, false);
+        Self { place, body, material, solids: solid.map(row).unwrap_or_default(), path }
     }
 }
 

@@ -77,7 +77,7 @@ impl RenderScene {
         Self {
             geometry,
             materials: Arc::clone(&self.materials),
-            checkers: Arc::clone(&self.checkers),
+            solids: Arc::clone(&self.solids),
             lights: Arc::clone(&self.lights),
             camera: self.camera.clone(),
             sky: self.sky.clone(),
@@ -112,7 +112,7 @@ mod tests {
         let render_scene = RenderScene::build(&scene).unwrap();
         let some = render_scene.only(&scene, &[0]);
         assert!(Arc::ptr_eq(&some.materials, &render_scene.materials));
-        assert!(Arc::ptr_eq(&some.checkers, &render_scene.checkers));
+        assert!(Arc::ptr_eq(&some.solids, &render_scene.solids));
         assert!(Arc::ptr_eq(&some.lights, &render_scene.lights));
     }
 }

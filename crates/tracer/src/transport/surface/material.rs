@@ -153,7 +153,7 @@ impl RenderMaterial {
         }
     }
 
-    /// The color of a body, but for its checker, where rays `lanes` met it, at these points of its own frame.
+    /// The color of a body, but for its pattern, where rays `lanes` met it, at these points of its own frame.
     #[inline(always)]
     pub(crate) fn color_at<W: Width>(
         &self,
@@ -277,7 +277,7 @@ impl<'a> MaterialTable<'a> {
     }
 }
 
-/// What a [`RenderMaterial`] is prepared from, as the key of a table: a material without its checker.
+/// What a [`RenderMaterial`] is prepared from, as the key of a table: a material without its pattern.
 #[derive(Clone, PartialEq)]
 struct MaterialKey<'a>(Cow<'a, Material>);
 
@@ -287,10 +287,10 @@ impl Eq for MaterialKey<'_> {}
 impl<'a> MaterialKey<'a> {
     fn new(material: &'a Material) -> Self {
         let mut key = Cow::Borrowed(material);
-        if material.pattern().is_some_and(|pattern| pattern.checker.is_some())
+        if material.pattern().is_some_and(|pattern| pattern.solid.is_some())
             && let Some(pattern) = key.to_mut().pattern_mut()
         {
-            pattern.checker = None;
+            pattern.solid = None;
         }
         Self(key)
     }

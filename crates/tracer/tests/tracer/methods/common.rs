@@ -2,8 +2,8 @@
 
 use catoptric_picture::{Comparison, Picture};
 use catoptric_scene::{
-    Anchor, Body, Camera, Checker, Color, Environment, Light, Material, MaterialChoice, Phong, Placement,
-    Projection, Scene, Shape, Tracing,
+    Anchor, Body, Camera, Color, Environment, Light, Material, MaterialChoice, Phong, Placement, Projection,
+    Scene, Shape, SolidTexture, Tracing,
 };
 use catoptric_tracer::raster::{Method, MethodOutput, draw};
 use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, render};
@@ -52,8 +52,8 @@ pub(crate) fn chalk(r: f64, g: f64, b: f64) -> Phong {
 }
 
 /// A material with a second color.
-pub(crate) fn checkered(mut phong: Phong, checker: Checker) -> Phong {
-    phong.pattern.checker = Some(checker);
+pub(crate) fn checkered(mut phong: Phong, checker: SolidTexture) -> Phong {
+    phong.pattern.solid = Some(checker);
     phong
 }
 

@@ -1,7 +1,7 @@
 //! `ssr` and `cube-map` against the traced picture.
 
 use catoptric_picture::Picture;
-use catoptric_scene::{Checker, Color, Example, Phong, Projection, Scene, Shape};
+use catoptric_scene::{Color, Example, Phong, Projection, Scene, Shape, SolidTexture};
 use catoptric_tracer::raster::{
     CubeMap, CubeMapSettings, CubeMaps, GBufferLayer, Method, PassName, SsrFallback, SsrSettings,
     draw_through,
@@ -134,7 +134,7 @@ fn room_of_planes() -> Scene {
 fn room_of_one_cube() -> Scene {
     let pattern = checkered(
         glow(0.1, 0.4, 0.8),
-        Checker { color: Color::new(0.9, 0.3, 0.1), size: 2.5, ..Checker::default() },
+        SolidTexture { color: Color::new(0.9, 0.3, 0.1), size: 2.5, ..SolidTexture::default() },
     );
     let bodies =
         vec![ball(1.0, v(0.6, -0.4, -0.5), mirror()), block(v(8.0, 5.0, 10.0), v(0.5, 0.5, 1.0), pattern)];

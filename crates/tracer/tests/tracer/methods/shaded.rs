@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 
 use catoptric_scene::{
-    Body, BodyPart, Checker, Coated, Color, Conductor, Example, Light, Material, MaterialChoice, MetalOptics,
-    Pattern, Phong, Placement, Projection, Scene, Shape,
+    Body, BodyPart, Coated, Color, Conductor, Example, Light, Material, MaterialChoice, MetalOptics, Pattern,
+    Phong, Placement, Projection, Scene, Shape, SolidTexture,
 };
 use catoptric_tracer::RenderScene;
 use catoptric_tracer::raster::{LightModel, Method, ShadingSettings};
@@ -104,7 +104,7 @@ fn where_faces_are_the_bodies_phong_is_the_traced_picture_however_coarse() {
             DVec3::ZERO,
             checkered(
                 chalk(0.7, 0.7, 0.6),
-                Checker { color: Color::gray(0.1), size: 0.7, ..Checker::default() },
+                SolidTexture { color: Color::gray(0.1), size: 0.7, ..SolidTexture::default() },
             ),
         ),
     ];
@@ -143,7 +143,7 @@ fn a_checkered_flat_face_has_one_intensity_on_two_colors() {
     let checkered = Material::Phong(Phong {
         pattern: Pattern {
             color: Color::gray(0.75),
-            checker: Some(Checker { color: Color::gray(0.25), size: 0.25, ..Checker::default() }),
+            solid: Some(SolidTexture { color: Color::gray(0.25), size: 0.25, ..SolidTexture::default() }),
             ..Pattern::default()
         },
         ambient: 0.0,

@@ -2,8 +2,8 @@
 
 use catoptric_picture::Picture;
 use catoptric_scene::{
-    Anchor, Body, Checker, CheckerSpace, Color, Falloff, Material, Pattern, Phong, Placement, Projection,
-    Scene, Shape,
+    Anchor, Body, Color, Falloff, Material, Pattern, PatternSpace, Phong, Placement, Projection, Scene,
+    Shape, SolidTexture,
 };
 use glam::DVec3;
 
@@ -14,9 +14,14 @@ const SIZE: (u32, u32) = (240, 160);
 
 /// A surface that shades, mirrors a little and has a pattern of meters.
 fn ground() -> Phong {
-    let checker = Checker { color: Color::new(0.2, 0.3, 0.5), size: 1.0, space: CheckerSpace::World };
+    let checker = SolidTexture {
+        color: Color::new(0.2, 0.3, 0.5),
+        size: 1.0,
+        space: PatternSpace::World,
+        ..SolidTexture::default()
+    };
     Phong {
-        pattern: Pattern { color: Color::new(0.8, 0.8, 0.1), checker: Some(checker), ..Pattern::default() },
+        pattern: Pattern { color: Color::new(0.8, 0.8, 0.1), solid: Some(checker), ..Pattern::default() },
         diffuse: 0.7,
         reflection: Some(0.3),
         ..Phong::default()
@@ -120,7 +125,7 @@ fn details_are_exact_beside_huge_bodies() {
     };
     // The same picture, a thousand times smaller: the largest bodies are 10⁹ times as large as the smallest.
     let mut plain = ground();
-    plain.pattern.checker = None;
+    plain.pattern.solid = None;
     let scene = on_ground(ball(1e8, v(0.0, -0.5 - 1e8, 0.0), plain));
     let (large, small) = (drawn(&scene), drawn(&small(scene.clone(), 1e-3)));
     assert_same_picture(&large, &small, 0.001);
@@ -155,8 +160,9 @@ fn a_plane_is_the_same_wherever_its_anchor_lies_and_however_it_turns() {
 /// Checkers that turn with the body do not move when the plane is anchored elsewhere by whole pairs of cells.
 #[test]
 fn patterns_of_a_plane_stay_where_they_were() {
-    let checker = Checker { color: Color::BLACK, size: 0.5, space: CheckerSpace::Body };
-    let material = Phong { pattern: Pattern { checker: Some(checker), ..ground().pattern }, ..ground() };
+    let checker =
+        SolidTexture { color: Color::BLACK, size: 0.5, space: PatternSpace::Body, ..SolidTexture::default() };
+    let material = Phong { pattern: Pattern { solid: Some(checker), ..ground().pattern }, ..ground() };
     let plane = |x: f64| turned(Shape::Plane, v(x, -0.5, -x), v(0.0, 90.0, 0.0), material.clone());
     let reference = drawn(&on_ground(plane(0.0)));
     for x in [2.0, 65_536.0, 1e7] {

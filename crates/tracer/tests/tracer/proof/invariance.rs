@@ -1,7 +1,7 @@
 //! What must not change the picture: units of length, the place and turn of the whole scene, the order of bodies.
 
 use catoptric_picture::Picture;
-use catoptric_scene::{Anchor, Body, Checker, Color, Falloff, MaterialChoice, Projection, Scene, Shape};
+use catoptric_scene::{Anchor, Body, Color, Falloff, MaterialChoice, Projection, Scene, Shape, SolidTexture};
 use glam::{DMat3, DQuat, DVec3, EulerRot};
 
 use crate::proof::common::{
@@ -22,8 +22,8 @@ fn taken(scene: &Scene) -> Picture {
 fn checkered() -> Scene {
     let mut scene = gallery();
     let MaterialChoice::Inline(floor) = &mut scene.bodies[0].material else { unreachable!() };
-    floor.pattern_mut().unwrap().checker =
-        Some(Checker { color: Color::gray(0.2), size: 0.7, ..Checker::default() });
+    floor.pattern_mut().unwrap().solid =
+        Some(SolidTexture { color: Color::gray(0.2), size: 0.7, ..SolidTexture::default() });
     scene
 }
 
@@ -49,7 +49,7 @@ fn scaled(scene: &Scene, factor: f64) -> Scene {
         *anchor(body).0 *= factor;
         body.shape = body.shape.scaled(factor);
         if let MaterialChoice::Inline(material) = &mut body.material
-            && let Some(checker) = material.pattern_mut().and_then(|pattern| pattern.checker.as_mut())
+            && let Some(checker) = material.pattern_mut().and_then(|pattern| pattern.solid.as_mut())
         {
             checker.size *= factor;
         }

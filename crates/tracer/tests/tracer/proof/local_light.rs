@@ -1,6 +1,6 @@
 //! The local terms: ambient, Lambert, Phong, falloff, shadows, the checkerboard.
 
-use catoptric_scene::{Body, Checker, Color, Falloff, Material, Pattern, Phong, Scene};
+use catoptric_scene::{Body, Color, Falloff, Material, Pattern, Phong, Scene, SolidTexture};
 use catoptric_tracer::surface::phong_highlight;
 use glam::{DVec3, Vec3, Vec3A};
 
@@ -225,9 +225,9 @@ fn seen_from_within_an_opaque_body_is_lit_from_within() {
 
 #[test]
 fn checkers_count_cells_of_the_world() {
-    let checker = Some(Checker { color: Color::BLACK, size: 0.5, ..Checker::default() });
+    let checker = Some(SolidTexture { color: Color::BLACK, size: 0.5, ..SolidTexture::default() });
     let material = Material::Phong(Phong {
-        pattern: Pattern { color: Color::WHITE, checker, ..Pattern::default() },
+        pattern: Pattern { color: Color::WHITE, solid: checker, ..Pattern::default() },
         ambient: 1.0,
         diffuse: 0.0,
         ..Phong::default()
@@ -247,9 +247,9 @@ fn a_face_on_a_border_of_cells_belongs_to_the_cell_above_it() {
     // The top of a box, on the border, below it by rounding, and really below it.
     let tops =
         [(0.5, 0.0), (1.0, 1.0), (-0.5, 0.0), (37.5, 0.0), (0.499_999_8, 0.0), (0.499_995, 1.0), (-0.2, 0.0)];
-    let checker = Some(Checker { color: Color::BLACK, size: 0.5, ..Checker::default() });
+    let checker = Some(SolidTexture { color: Color::BLACK, size: 0.5, ..SolidTexture::default() });
     let material = Material::Phong(Phong {
-        pattern: Pattern { color: Color::WHITE, checker, ..Pattern::default() },
+        pattern: Pattern { color: Color::WHITE, solid: checker, ..Pattern::default() },
         ambient: 1.0,
         diffuse: 0.0,
         ..Phong::default()

@@ -4,8 +4,8 @@ use std::sync::atomic::AtomicBool;
 
 use catoptric_optics::{METALS, Metal, fresnel};
 use catoptric_scene::{
-    Attenuation, Body, Checker, Coated, Color, Conductor, Dielectric, Environment, Light, Material,
-    MetalOptics, Mirror, Model, ParaboloidDepth, Pattern, Phong, Scene, Shape, ThinDielectric,
+    Attenuation, Body, Coated, Color, Conductor, Dielectric, Environment, Light, Material, MetalOptics,
+    Mirror, Model, ParaboloidDepth, Pattern, Phong, Scene, Shape, SolidTexture, ThinDielectric,
 };
 use catoptric_tracer::{BranchOutcome, RayKind, RayRecord, WhittedIntegrator};
 use glam::{DVec3, UVec2, Vec3};
@@ -120,8 +120,8 @@ fn metals_of_one_scene_are_told_apart() {
 
 #[test]
 fn a_checker_brighter_than_white_under_a_coat_gives_no_negative_light() {
-    let checker = Some(Checker { color: Color::gray(50.0), size: 0.1, ..Checker::default() });
-    let pattern = Pattern { checker, ..Color::WHITE.into() };
+    let checker = Some(SolidTexture { color: Color::gray(50.0), size: 0.1, ..SolidTexture::default() });
+    let pattern = Pattern { solid: checker, ..Color::WHITE.into() };
     let picture = picture(&furnace(&Coated { pattern, ..coated(1.5) }.into()), 60, 15);
     assert!(picture.pixels().iter().flatten().all(|part| (0.0..1.5).contains(part)));
 }

@@ -1,8 +1,8 @@
 //! Random scenes of everything against the oracle.
 
 use catoptric_scene::{
-    Anchor, Body, Checker, Color, Falloff, Material, ParaboloidDepth, Pattern, Phong, Placement, Projection,
-    Scene, Shape, Tracing,
+    Anchor, Body, Color, Falloff, Material, ParaboloidDepth, Pattern, Phong, Placement, Projection, Scene,
+    Shape, SolidKind, SolidTexture, Tracing,
 };
 use glam::DVec3;
 use proptest::prelude::*;
@@ -16,21 +16,41 @@ fn color() -> impl Strategy<Value = Color> {
     prop::array::uniform3(0.1..1.0_f64).prop_map(Color::from)
 }
 
+/// Checkerboards, and other patterns, also within each other.
+fn solid() -> impl Strategy<Value = SolidTexture> {
+    let checker = (color(), 0.2..1.0_f64)
+        .prop_map(|(color, size)| SolidTexture { size, ..SolidTexture::new(SolidKind::Checker, color) });
+    let three = |range: std::ops::Range<f64>| prop::array::uniform3(range).prop_map(DVec3::from);
+    let kind = prop::sample::select(SolidKind::ALL.to_vec());
+    let any = (kind, color(), 0.2..1.0_f64, three(-1.0..1.0), three(-180.0..180.0), three(0.5..2.0))
+        .prop_map(|(kind, color, size, position, rotation_degrees, scale)| SolidTexture {
+            size,
+            position,
+            rotation_degrees,
+            scale,
+            ..SolidTexture::new(kind, color)
+        })
+        .boxed();
+    let nested = any.clone().prop_recursive(3, 6, 2, |inner| {
+        let within = || prop::option::of(inner.clone().prop_map(Box::new));
+        (inner.clone(), within(), within()).prop_map(|(outer, first, second)| SolidTexture {
+            first,
+            second,
+            ..outer
+        })
+    });
+    prop_oneof![checker, any, nested]
+}
+
 pub(crate) fn material() -> impl Strategy<Value = Material> {
     let opaque = (color(), 0.0..1.0_f64, 0.0..0.6_f64, 1.0..100.0_f64).prop_map(
         |(color, diffuse, specular, shininess)| {
             Material::Phong(Phong { pattern: color.into(), diffuse, specular, shininess, ..Phong::default() })
         },
     );
-    let checkered = (color(), color(), 0.2..1.0_f64).prop_map(|(color, other, size)| {
-        Material::Phong(Phong {
-            pattern: Pattern {
-                color,
-                checker: Some(Checker { color: other, size, ..Checker::default() }),
-                ..Pattern::default()
-            },
-            ..Phong::default()
-        })
+    let patterned = (color(), solid()).prop_map(|(color, solid)| {
+        let pattern = Pattern { color, solid: Some(solid), ..Pattern::default() };
+        Material::Phong(Phong { pattern, ..Phong::default() })
     });
     let clear = (color(), 0.4..1.0_f64, 0.0..0.3_f64, 0.7..2.0_f64).prop_map(
         |(tint, transmission, reflection, ior)| {
@@ -46,7 +66,7 @@ pub(crate) fn material() -> impl Strategy<Value = Material> {
             })
         },
     );
-    prop_oneof![3 => opaque, 1 => checkered, 2 => clear]
+    prop_oneof![3 => opaque, 1 => patterned, 2 => clear]
 }
 
 pub(crate) fn body() -> impl Strategy<Value = Body> {

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use catoptric_picture::Picture;
 use catoptric_scene::{
-    Anchor, Body, Checker, CheckerSpace, Color, Dielectric, Image, Light, Material, Mirror, Model, Pattern,
-    Phong, Placement, Scene, Shape, Sky, Surroundings,
+    Anchor, Body, Color, Dielectric, Image, Light, Material, Mirror, Model, Pattern, PatternSpace, Phong,
+    Placement, Scene, Shape, Sky, SolidTexture, Surroundings,
 };
 use glam::{DQuat, DVec3};
 
@@ -150,12 +150,13 @@ fn the_pixels_of_a_texture_lie_on_a_cube_as_on_a_wall() {
 
 #[test]
 fn cells_of_a_body_move_and_turn_with_it_and_keep_their_size() {
-    let checker = |space| Some(Checker { color: Color::gray(0.2), size: 0.37, space });
+    let checker =
+        |space| Some(SolidTexture { color: Color::gray(0.2), size: 0.37, space, ..SolidTexture::default() });
     let body = |space, anchor, scale| Body {
         shape: Shape::Cube { size: v(1.1, 0.7, 0.9) },
         placement: Placement { anchor, scale },
         material: catoptric_scene::MaterialChoice::own(Phong {
-            pattern: Pattern { checker: checker(space), ..Color::WHITE.into() },
+            pattern: Pattern { solid: checker(space), ..Color::WHITE.into() },
             ..glow(Color::WHITE)
         }),
         ..Body::default()
@@ -168,16 +169,16 @@ fn cells_of_a_body_move_and_turn_with_it_and_keep_their_size() {
         picture(&scene, 60, 40)
     };
     let at_origin = |space, scale| body(space, frame(DVec3::ZERO, DVec3::ZERO), scale);
-    let straight = seen_from(at_origin(CheckerSpace::World, DVec3::ONE), DQuat::IDENTITY, DVec3::ZERO);
-    let own = seen_from(at_origin(CheckerSpace::Body, DVec3::ONE), DQuat::IDENTITY, DVec3::ZERO);
+    let straight = seen_from(at_origin(PatternSpace::World, DVec3::ONE), DQuat::IDENTITY, DVec3::ZERO);
+    let own = seen_from(at_origin(PatternSpace::Body, DVec3::ONE), DQuat::IDENTITY, DVec3::ZERO);
     assert_eq!(straight, own, "at rest in the world both are the same");
     let scale = v(2.0, 0.5, 1.3);
-    let [stretched, cut] = [CheckerSpace::World, CheckerSpace::Body]
+    let [stretched, cut] = [PatternSpace::World, PatternSpace::Body]
         .map(|space| seen_from(at_origin(space, scale), DQuat::IDENTITY, DVec3::ZERO));
     assert_eq!(stretched, cut, "cells keep their size");
     let (degrees, shift) = (v(0.0, 40.0, 0.0), v(0.123, -4.0, 7.7));
     let turn = DQuat::from_rotation_y(degrees.y.to_radians());
     let moved = |space| seen_from(body(space, frame(shift, degrees), DVec3::ONE), turn, shift);
-    assert_same_picture(&moved(CheckerSpace::Body), &straight, 0.002);
-    assert_ne!(moved(CheckerSpace::World), straight);
+    assert_same_picture(&moved(PatternSpace::Body), &straight, 0.002);
+    assert_ne!(moved(PatternSpace::World), straight);
 }

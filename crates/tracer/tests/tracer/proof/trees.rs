@@ -3,7 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use catoptric_picture::Picture;
-use catoptric_scene::{Checker, Color, Material, Pattern, Phong, Scene};
+use catoptric_scene::{Color, Material, Pattern, Phong, Scene, SolidTexture};
 use catoptric_tracer::{RayCounts, RayKind, WhittedIntegrator};
 use glam::{DVec2, DVec3, Vec3};
 
@@ -185,9 +185,9 @@ fn rays_are_counted_by_kind() {
 
 #[test]
 fn a_checker_of_two_colors_is_reflected_as_it_is() {
-    let checker = Some(Checker { color: Color::BLACK, size: 1.0, ..Checker::default() });
+    let checker = Some(SolidTexture { color: Color::BLACK, size: 1.0, ..SolidTexture::default() });
     let floor = Material::Phong(Phong {
-        pattern: Pattern { color: Color::WHITE, checker, ..Pattern::default() },
+        pattern: Pattern { color: Color::WHITE, solid: checker, ..Pattern::default() },
         ambient: 1.0,
         diffuse: 0.0,
         ..Phong::default()

@@ -26,6 +26,7 @@ use crate::transport::scene::RenderScene;
 use crate::transport::shading::PacketSource;
 use crate::transport::surface::bsdf::BsdfValue;
 use crate::transport::surface::highlight_cosine;
+use crate::transport::texture::solid::{SolidNode, patterned};
 use crate::transport::tile_rect::{TILE, TileRect};
 
 /// A ray that waits, and why. The heaviest goes first, of equal ones the one sent first.
@@ -377,12 +378,13 @@ impl<'a> WhittedIntegrator<'a> {
         let material = self.shading.scene.material(body);
         let line = (beam.rays.origin, beam.rays.direction);
         let point = self.shading.scene.geometry.surface_point(at.bsdf.body, line, at.t, at.bsdf.inside);
-        let checker = self.shading.scene.checkers.get(body.checker as usize);
-        let odd = checker.filter(|checker| checker.is_odd(point.on_checker(body)));
+        let solids = SolidNode::row_at(&self.shading.scene.solids, body.solid);
+        let point_of_solid = point.on_solid(body);
         let own = material.color_at(ScalarWidth, body, point.in_body, true);
+        let color = patterned(ScalarWidth, solids, 0, own, point_of_solid);
         SurfaceRecord {
-            color: odd.map_or(own, |checker| Vector::splat(0.0, checker.color)).into(),
-            is_odd_cell: odd.is_some(),
+            color: color.into(),
+            second_share: solids.first().map(|solid| solid.share(point_of_solid)),
             law: material.law.name(),
             alpha: material.alpha,
             ambient_coefficient: material.ambient,

@@ -4,6 +4,7 @@
 use catoptric_picture::Picture;
 use catoptric_scene::{
     Anchor, Body, Camera, Color, Falloff, Form, Material, MaterialChoice, Phong, Projection, Scene, Shape,
+    SolidKind, SolidTexture,
 };
 use glam::{DAffine3, DMat3, DVec3};
 
@@ -221,14 +222,7 @@ impl<'a> Oracle<'a> {
     }
 
     fn local(&self, material: &Phong, at: DVec3, n: DVec3, to_viewer: DVec3) -> DVec3 {
-        let color = match &material.pattern.checker {
-            Some(checker) => {
-                let cells = (at / checker.size + 1e-6).floor();
-                let even = cells.element_sum().rem_euclid(2.0) == 0.0;
-                rgb(if even { material.pattern.color } else { checker.color })
-            }
-            None => rgb(material.pattern.color),
-        };
+        let color = patterned(rgb(material.pattern.color), material.pattern.solid.as_ref(), at);
         let mut light = material.ambient * color * rgb(self.scene.environment.ambient);
         for source in &self.scene.lights {
             let distance = at.distance(source.position);
@@ -301,6 +295,22 @@ fn place<'a>(scene: &'a Scene, body: &'a Body) -> Placed<'a> {
     let body_from_world = DMat3::from_diagonal(body.placement.scale.recip()) * turn.transpose();
     parts.push(PlacedPart { shape: body.shape, material, world_from_body, body_from_world, position });
     Placed { form: body.form(), material, parts }
+}
+
+/// The color of a point of the world, `first` where no pattern has another.
+fn patterned(first: DVec3, solid: Option<&SolidTexture>, at: DVec3) -> DVec3 {
+    let Some(solid) = solid else { return first };
+    let cells = solid.placement().world_from_body().inverse().transform_point3(at) / solid.size;
+    let odd = |cell: f64| (cell + 1e-6).floor().rem_euclid(2.0);
+    let share = match solid.kind {
+        SolidKind::Checker => (odd(cells.x) + odd(cells.y) + odd(cells.z)).rem_euclid(2.0),
+        SolidKind::Stripes => odd(cells.x),
+        SolidKind::Rings => odd(cells.x.hypot(cells.z)),
+        SolidKind::Gradient => (cells.x + 1e-6).rem_euclid(1.0),
+    };
+    let first = patterned(first, solid.first.as_deref(), at);
+    let second = patterned(rgb(solid.color), solid.second.as_deref(), at);
+    (1.0 - share) * first + share * second
 }
 
 fn rgb(color: Color) -> DVec3 {
