@@ -277,7 +277,8 @@ pub(crate) struct CompareArguments {
     /// The layer to read of EXR pictures with several
     #[arg(long, value_name = "NAME", requires = "pictures")]
     pub layer: Option<String>,
-    /// The directory for the report, the pictures and the numbers; compared by default
+    /// The directory for the report, the pictures and the numbers; compared by default, and none for pictures without
+    /// methods
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
     /// Width and height in pixels; 640x360 by default, or for pictures without methods what their scene asks for

@@ -3,13 +3,13 @@
 mod csv;
 pub(crate) mod html;
 mod language;
-mod page;
+pub(crate) mod page;
 
 mod plot;
 mod raster;
 mod study;
 mod tables;
-mod texts;
+pub(crate) mod texts;
 
 pub use csv::points_csv;
 pub use language::{Language, UnknownLanguage};

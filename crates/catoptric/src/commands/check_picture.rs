@@ -1,20 +1,23 @@
 //! `catoptric compare` with a scene and pictures of other ray tracers: what is systematically different in them.
 
+use std::ffi::OsStr;
 use std::fs::File;
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context as _, Result, bail};
+use anyhow::{Context as _, Result};
 use catoptric_lab::audit::{AuditSettings, audit};
-use catoptric_lab::detective::{CodeCurve, Detective, DetectiveSettings, ObservedPicture, Verdict};
+use catoptric_lab::detective::{
+    CheckedPicture, CodeCurve, Detective, DetectiveSettings, ObservedPicture, Verdict, checked_page,
+};
 use catoptric_lab::report::Language;
-use catoptric_picture::{Picture, PictureFormat, SampleDepth, ToneCurve};
+use catoptric_picture::{Development, Picture, PictureFormat, SampleDepth, ToneCurve};
 use catoptric_scene::{Scene, visible};
-use catoptric_tracer::{RenderControl, RenderScene, RenderSettings};
+use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, render};
 use serde_json::{Value, json};
 
 use super::CommandOutcome;
-use super::compare::picture_files;
+use super::compare::{METRICS, REPORT, picture_files};
 use crate::arguments::{CompareArguments, Size};
 use crate::backend::threads;
 use crate::console::{json_text, print};
@@ -22,6 +25,9 @@ use crate::files::CommandFiles;
 use crate::input::{self, NamedScene, SceneSource};
 use crate::layers::LayerReader;
 use crate::progress::Progress;
+
+/// The worst pixels that a report audits, if no more are asked for.
+const AUDITS: usize = 3;
 
 /// A picture file.
 struct PictureFile {
@@ -31,18 +37,26 @@ struct PictureFile {
     format: Option<PictureFormat>,
 }
 
-pub(super) fn run(scene: &Path, arguments: &CompareArguments) -> Result<CommandOutcome> {
-    if arguments.output.is_some() {
-        bail!("-o takes a report of methods, and no method is named; leave it out, or add --methods whitted");
+impl PictureFile {
+    /// Whether its numbers are light, not codes.
+    fn is_light(&self) -> bool {
+        self.format.is_some_and(|format| format.depths() == [SampleDepth::Linear])
     }
+}
+
+pub(super) fn run(scene: &Path, arguments: &CompareArguments) -> Result<CommandOutcome> {
     let mut files = CommandFiles::default();
     let pictures = read_pictures(arguments, &mut files)?;
     let input = input::scene(scene, &arguments.set, arguments.size, &mut files)?;
+    if let Some(output) = &arguments.output {
+        files.add_directory(output, [REPORT, METRICS].map(str::to_owned))?;
+    }
     if !arguments.quiet {
         input.warn();
     }
     let pool = threads(arguments.threads.map_or(0, usize::from))?;
     let mut values = Vec::new();
+    let mut checked = Vec::new();
     let mut are_right = true;
     for file in &pictures {
         let again = scene_for(&input, scene, file, arguments, &mut files)?;
@@ -50,14 +64,28 @@ pub(super) fn run(scene: &Path, arguments: &CompareArguments) -> Result<CommandO
         let settings = settings(file, &input, arguments);
         let verdict = pool.install(|| check(own, file, settings, arguments.quiet))?;
         are_right &= verdict.is_right(arguments.allow);
-        if arguments.json {
-            values.push(named(file, verdict.to_json(own, arguments.allow)));
-        } else {
+        values.push(named(file, verdict.to_json(own, arguments.allow)));
+        if !arguments.json {
             print(&text(file, &verdict, own, arguments)?)?;
         }
+        if arguments.output.is_some() {
+            checked.push(pool.install(|| with_audits(own, file, verdict, settings.curve, arguments))?);
+        }
     }
+    let found = json_text(&json!({ "right": are_right, "pictures": values }));
     if arguments.json {
-        print(&json_text(&json!({ "right": are_right, "pictures": values })))?;
+        print(&found)?;
+    }
+    if let Some(output) = &arguments.output {
+        // Where the scene lies is no matter to who reads the page.
+        let name =
+            Path::new(&input.name).file_name().map_or(input.name.as_str().into(), OsStr::to_string_lossy);
+        let html = checked_page(&name, &checked, arguments.allow, arguments.language)?;
+        files.write(&output.join(REPORT), html.as_bytes())?;
+        files.write(&output.join(METRICS), found.as_bytes())?;
+        if !arguments.quiet && !arguments.json {
+            print(&format!("report: {}\n", output.join(REPORT).display()))?;
+        }
     }
     Ok(if are_right { CommandOutcome::Done } else { CommandOutcome::Failed })
 }
@@ -107,9 +135,8 @@ fn scene_for(
 }
 
 fn settings(file: &PictureFile, input: &NamedScene, arguments: &CompareArguments) -> DetectiveSettings {
-    let is_light = file.format.is_some_and(|format| format.depths() == [SampleDepth::Linear]);
     let curve = match arguments.development.tone_curve {
-        _ if is_light => CodeCurve::Linear,
+        _ if file.is_light() => CodeCurve::Linear,
         Some(ToneCurve::LinearCodes) => CodeCurve::Linear,
         Some(_) => CodeCurve::Srgb,
         None if input.foreign.is_some() => CodeCurve::Linear,
@@ -125,8 +152,7 @@ fn settings(file: &PictureFile, input: &NamedScene, arguments: &CompareArguments
 }
 
 fn check(scene: &Scene, file: &PictureFile, settings: DetectiveSettings, quiet: bool) -> Result<Verdict> {
-    let is_light = file.format.is_some_and(|format| format.depths() == [SampleDepth::Linear]);
-    let observed = if is_light {
+    let observed = if file.is_light() {
         ObservedPicture::of_light(&file.picture)
     } else {
         ObservedPicture::of_codes(&file.picture)
@@ -169,14 +195,57 @@ fn text(
             text += &format!("  {line}\n");
         }
     }
-    let picture = RenderSettings { width: verdict.scene_size[0], height: verdict.scene_size[1], samples: 1 };
-    let settings = AuditSettings { picture, ..AuditSettings::default() };
     let render_scene = RenderScene::build(scene)?;
-    for cluster in verdict.clusters.iter().take(arguments.pixels) {
-        let pixel = glam::UVec2::from(cluster.worst.pixel);
-        let control = RenderControl::default();
-        let audit = audit(scene, &render_scene, render_scene.camera(), pixel, &settings, &control)?;
-        text += &format!("\n{}", audit.to_text(Some(2)));
+    for audit in audits(scene, &render_scene, verdict, arguments.pixels)? {
+        text += &format!("\n{audit}");
     }
     Ok(text)
+}
+
+/// The audits of the worst pixels of the first places, at most `most`.
+fn audits(scene: &Scene, render_scene: &RenderScene, verdict: &Verdict, most: usize) -> Result<Vec<String>> {
+    let settings = AuditSettings { picture: exact_settings(verdict), ..AuditSettings::default() };
+    let control = RenderControl::default();
+    let clusters = verdict.clusters.iter().take(most);
+    clusters
+        .map(|cluster| {
+            let pixel = glam::UVec2::from(cluster.worst.pixel);
+            let audit = audit(scene, render_scene, render_scene.camera(), pixel, &settings, &control)?;
+            Ok(audit.to_text(Some(2)))
+        })
+        .collect()
+}
+
+/// How the exact picture is traced.
+fn exact_settings(verdict: &Verdict) -> RenderSettings {
+    let [width, height] = verdict.scene_size;
+    RenderSettings { width, height, samples: 1 }
+}
+
+/// A picture and its verdict with all that the report shows.
+fn with_audits(
+    scene: &Scene,
+    file: &PictureFile,
+    verdict: Verdict,
+    curve: CodeCurve,
+    arguments: &CompareArguments,
+) -> Result<CheckedPicture> {
+    let render_scene = RenderScene::build(scene)?;
+    let audits = match verdict.is_right(arguments.allow) {
+        true => Vec::new(),
+        false => audits(scene, &render_scene, &verdict, arguments.pixels.max(AUDITS))?,
+    };
+    let exact = render(&render_scene, exact_settings(&verdict), &RenderControl::default())?.picture;
+    let tone_curve = if curve == CodeCurve::Linear { ToneCurve::LinearCodes } else { ToneCurve::None };
+    let shown = Development { tone_curve, ..Development::default() };
+    // Of codes, reading has made light by the sRGB curve.
+    let own = if file.is_light() { shown } else { Development::default() };
+    Ok(CheckedPicture {
+        name: file.path.display().to_string(),
+        picture: (file.picture.clone(), own),
+        exact: (exact, shown),
+        scene: scene.clone(),
+        verdict,
+        audits,
+    })
 }

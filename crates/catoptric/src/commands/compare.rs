@@ -20,8 +20,8 @@ use crate::input::{self, NamedScene};
 use crate::layers::LayerReader;
 use crate::progress::Progress;
 
-const REPORT: &str = "report.html";
-const METRICS: &str = "metrics.json";
+pub(super) const REPORT: &str = "report.html";
+pub(super) const METRICS: &str = "metrics.json";
 
 /// The size of pictures if none is given.
 const SIZE: Size = Size { width: 640, height: 360 };

@@ -199,6 +199,18 @@ fn body_in_words(body: usize, scene: &Scene, language: Language) -> String {
     format!("{shape} {}", body + 1)
 }
 
+impl Cluster {
+    /// Where it lies and what it has to do with.
+    pub fn place(&self, scene: &Scene, language: Language) -> String {
+        place_in_words(self, scene, language)
+    }
+
+    /// Its share of the pixels, in percent.
+    pub fn share_in_words(&self, language: Language) -> String {
+        share_in_words(self.share, language)
+    }
+}
+
 /// Where a cluster lies and what it has to do with.
 fn place_in_words(cluster: &Cluster, scene: &Scene, language: Language) -> String {
     let kind = match cluster.worst.kind {

@@ -1,6 +1,6 @@
 //! A comparison as one page: pictures within, no network, prints on A4.
 
-mod frame;
+pub(crate) mod frame;
 mod pairs;
 
 use std::fmt::Write as _;
@@ -272,7 +272,7 @@ fn color_stops() -> String {
 }
 
 /// A picture within the page.
-fn data_uri(picture: &Picture, development: &Development) -> Result<String, PageError> {
+pub(crate) fn data_uri(picture: &Picture, development: &Development) -> Result<String, PageError> {
     let png = encode_png(&development.develop(picture, BitDepth::Eight)?)?;
     Ok(format!("data:image/png;base64,{}", base64::engine::general_purpose::STANDARD.encode(png)))
 }

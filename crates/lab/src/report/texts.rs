@@ -39,6 +39,24 @@ texts! {
     generations_limit: "Limit of generations", "Ограничение числа поколений";
     milliseconds: "ms", "мс";
 
+    // The page of pictures that were checked.
+    checked_title: "Checked against {scene}", "Проверено по сцене {scene}";
+    checked_lead: "Each picture is held against the exact one of the scene. What is systematically different was found by \
+        trying it; the share that agrees counts pixels with that undone. Circles are the worst pixels of the places where \
+        it differs still.",
+        "Каждое изображение сравнивается с точным изображением сцены. Что в нём систематически отличается, найдено \
+        пробами; доля совпадений — с этой поправкой. Кружки — худшие пиксели тех мест, где отличие осталось.";
+    checked_right: "right", "верно";
+    checked_different: "different", "отличается";
+    checked_exact: "exact", "точное";
+    checked_places_caption: "Where the picture differs still", "Где изображение ещё отличается";
+    checked_place: "Place", "Место";
+    checked_share: "Share", "Доля";
+    checked_pixel: "Worst pixel", "Худший пиксель";
+    checked_found: "Codes found", "Коды";
+    checked_expected: "Codes expected", "Ожидаемые коды";
+    checked_audit: "The exact answer at place {number}", "Точный ответ в месте {number}";
+
     // The page of a comparison.
     compare_title: "Ways of drawing, held against {truth}", "Способы построения в сравнении с {truth}";
     compare_lead: "Every picture is drawn with the same camera and held, pixel by pixel, against the first one, “{truth}”, \

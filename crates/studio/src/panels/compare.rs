@@ -1,5 +1,6 @@
 //! The comparison: two pictures of the same view side by side, where and by how much they differ, and why.
 
+mod check;
 mod facts;
 mod header;
 mod images;
@@ -18,6 +19,7 @@ use crate::state::methods::MethodSettings;
 
 pub(crate) use panel::compare_ui;
 
+use check::CheckState;
 use images::CompareImages;
 pub(crate) use task::{CompareFailure, CompareResult, CompareTask};
 
@@ -82,6 +84,7 @@ pub(crate) struct CompareState {
     pub(crate) found: Option<Arc<CompareResult>>,
     pub(crate) failed: Option<(ComparisonKey, CompareFailure)>,
     images: CompareImages,
+    check: CheckState,
     /// The pixel under the pointer.
     pixel: Option<[u32; 2]>,
 }
@@ -99,6 +102,7 @@ impl Default for CompareState {
             found: None,
             failed: None,
             images: CompareImages::default(),
+            check: CheckState::default(),
             pixel: None,
         }
     }

@@ -4,11 +4,13 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use catoptric_live::DisplayContent;
+use catoptric_picture::{BitDepth, Development, Picture, write_png};
 use catoptric_studio::{
     Command, CompareCommand, DisplayCommand, MeasureCommand, Pane, PictureCommand, StartDocument, Studio,
     WindowCommand,
 };
 use catoptric_tracer::raster::{GBufferLayer, Method, MethodKind};
+use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, render};
 use egui::{Key, Modifiers, accesskit};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -184,7 +186,7 @@ fn a_comparison_follows_the_scene_and_reads_files() {
         assert!(Instant::now() < deadline, "the comparison does not follow");
         std::thread::sleep(Duration::from_millis(5));
     }
-    let picture = catoptric_picture::Picture::from_fn(40, 30, |x, _| [x as f32 / 40.0; 3]).unwrap();
+    let picture = Picture::from_fn(40, 30, |x, _| [x as f32 / 40.0; 3]).unwrap();
     let path = host.path("own.exr");
     catoptric_picture::write_exr(&path, &picture).unwrap();
     for act in [CompareCommand::FileA, CompareCommand::FileB] {
@@ -200,6 +202,25 @@ fn a_comparison_follows_the_scene_and_reads_files() {
     host.answer(Some(host.path("broken.png")));
     run(&mut harness, Command::Compare(CompareCommand::FileB));
     wait_for(&mut harness, "broken.png” cannot be read");
+    check_texts(&harness);
+}
+
+#[test]
+fn what_is_wrong_with_a_file_is_found() {
+    let (host, mut harness) = open("english");
+    let scene = RenderScene::build(harness.state().editor().scene()).unwrap();
+    let settings = RenderSettings { width: 160, height: 90, samples: 1 };
+    let right = render(&scene, settings, &RenderControl::default()).unwrap().picture;
+    let flipped = Picture::from_fn(160, 90, |x, y| right.pixel(159 - x, y).unwrap()).unwrap();
+    let path = host.path("flipped.png");
+    write_png(&path, &Development::default().develop(&flipped, BitDepth::Eight).unwrap()).unwrap();
+    run(&mut harness, WindowCommand::TogglePane(Pane::Compare));
+    host.answer(Some(path));
+    run(&mut harness, Command::Compare(CompareCommand::FileB));
+    let check = said(&harness, "compare-check");
+    wait_for(&mut harness, &check);
+    click(&mut harness, &check);
+    wait_for(&mut harness, "flipped left to right");
     check_texts(&harness);
 }
 

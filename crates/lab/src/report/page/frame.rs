@@ -32,7 +32,7 @@ figcaption b { color: var(--ink); font-weight: 600; }
 .split + label input { width: 100%; margin: .35rem 0 0; accent-color: #0072b2; }
 .scale { height: auto; background: none !important; margin-top: .3rem; }
 .scale text { fill: var(--ink); font: 11px 'Helvetica Neue', 'PT Sans', 'DejaVu Sans', Arial, sans-serif; }
-.wide { overflow-x: auto; }
+.wide { overflow-x: auto; margin-top: 1.1rem; }
 table { border-collapse: collapse; width: 100%; font-size: .88rem; font-variant-numeric: tabular-nums lining-nums;
   break-inside: avoid; }
 caption { text-align: left; color: var(--soft); padding: 0 0 .45rem; }
@@ -42,6 +42,11 @@ thead th { font-weight: 600; border-bottom: 2px solid var(--ink); vertical-align
 tbody th { font-weight: 500; hyphens: manual; white-space: nowrap; }
 .reasons tbody th { white-space: normal; }
 .reasons { font-size: .82rem; }
+.mark circle { fill: none; stroke: #ff2d8a; }
+.mark text { fill: #ff2d8a; stroke: #fff; paint-order: stroke; text-anchor: middle; font-weight: 600;
+  font-family: 'Helvetica Neue', 'PT Sans', 'DejaVu Sans', Arial, sans-serif; }
+pre { overflow-x: auto; padding: .7rem .9rem; background: var(--tint); font-size: .8rem; line-height: 1.4;
+  font-family: 'DejaVu Sans Mono', 'PT Mono', Consolas, monospace; hyphens: manual; }
 .key { display: inline-block; width: .85em; height: .85em; margin-right: .5em; vertical-align: -.08em;
   border: 1px solid var(--rule); }
 @page { size: A4; margin: 16mm 15mm 18mm; }
@@ -58,6 +63,7 @@ tbody th { font-weight: 500; hyphens: manual; white-space: nowrap; }
   h2 { margin-top: 1.2rem; }
   th, td { padding: .22rem .4rem; }
   .reasons { font-size: .74rem; }
+  pre { font-size: .62rem; white-space: pre-wrap; }
 }
 ";
 
@@ -84,7 +90,7 @@ for (const split of document.querySelectorAll('.split')) {
 ";
 
 /// The beginning of the page, up to its first heading.
-pub(super) fn head(language: Language, title: &str) -> String {
+pub(crate) fn head(language: Language, title: &str) -> String {
     format!(
         "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"{code}\">\n<head>\n<meta \
          charset=\"utf-8\"/>\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{title}\
@@ -95,6 +101,6 @@ pub(super) fn head(language: Language, title: &str) -> String {
 }
 
 /// The end of the page, with the script, which stands in a section that XML passes over and HTML takes as a comment.
-pub(super) fn end() -> String {
+pub(crate) fn end() -> String {
     format!("<script>//<![CDATA[\n{SCRIPT}//]]></script>\n</body>\n</html>\n")
 }

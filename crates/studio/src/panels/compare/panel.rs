@@ -5,7 +5,7 @@ use std::sync::Arc;
 use egui::{Align, Layout, ProgressBar, RichText, ScrollArea, Ui, vec2};
 
 use super::task::{CompareFailure, CompareResult};
-use super::{CompareState, facts, header, picture};
+use super::{CompareState, check, facts, header, picture};
 use crate::base::theme;
 use crate::state::context::Cx;
 
@@ -24,6 +24,7 @@ pub(crate) fn compare_ui(ui: &mut Ui, cx: &mut Cx<'_>, comparing: &mut CompareSt
             let room = vec2(ui.available_width(), (0.62 * ui.available_width()).min(420.0));
             ui.allocate_ui(room, |ui| picture::picture_ui(ui, cx, comparing, &found));
             facts::facts_ui(ui, cx, &found);
+            check::check_ui(ui, cx, &mut comparing.check, &found);
         });
         return;
     }
@@ -33,6 +34,7 @@ pub(crate) fn compare_ui(ui: &mut Ui, cx: &mut Cx<'_>, comparing: &mut CompareSt
         ui.allocate_ui_with_layout(vec2(FACTS, height), Layout::top_down(Align::Min), |ui| {
             ScrollArea::vertical().id_salt("numbers").auto_shrink(false).show(ui, |ui| {
                 facts::facts_ui(ui, cx, &found);
+                check::check_ui(ui, cx, &mut comparing.check, &found);
             });
         });
         ui.allocate_ui_with_layout(ui.available_size(), Layout::top_down(Align::Min), |ui| {

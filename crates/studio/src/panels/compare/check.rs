@@ -1,0 +1,148 @@
+//! What is systematically different in a picture file: a button, then the verdict.
+
+use std::sync::Arc;
+
+use catoptric_lab::detective::{CodeCurve, Detective, DetectiveSettings, ObservedPicture, Verdict};
+use catoptric_picture::{Development, Picture, PictureFormat, SampleDepth, ToneCurve};
+use catoptric_scene::Scene;
+use catoptric_tracer::RenderControl;
+use catoptric_tracer::raster::Method;
+use egui::{Context, Label, RichText, Ui};
+
+use super::task::CompareResult;
+use super::{ComparedPicture, ComparisonKey};
+use crate::base::job::{Job, JobStatus};
+use crate::base::theme;
+use crate::state::context::Cx;
+use crate::state::methods::report_language;
+
+/// The check of the comparison that is shown.
+#[derive(Default)]
+pub(crate) struct CheckState {
+    running: Option<CheckTask>,
+    /// Of which comparison, and what was found; or why nothing was.
+    found: Option<(ComparisonKey, Result<CheckedScene, String>)>,
+}
+
+/// A verdict, and the scene that it names things of.
+struct CheckedScene {
+    verdict: Verdict,
+    scene: Scene,
+}
+
+/// A check under way. Dropping this ends it.
+struct CheckTask {
+    key: ComparisonKey,
+    control: Arc<RenderControl>,
+    job: Job<Result<CheckedScene, String>>,
+}
+
+impl Drop for CheckTask {
+    fn drop(&mut self) {
+        self.control.cancel();
+    }
+}
+
+impl CheckTask {
+    fn start(
+        context: &Context,
+        found: &CompareResult,
+        picture: &Picture,
+        development: Development,
+    ) -> std::io::Result<Self> {
+        let Some(view) = &found.key.view else { return Err(std::io::ErrorKind::InvalidInput.into()) };
+        let scene = Scene { camera: view.camera, ..Scene::clone(&found.scene) };
+        let is_light = found.key.sources.iter().any(is_file_of_light);
+        let (observed, curve) = match (is_light, development.tone_curve) {
+            (true, _) => (ObservedPicture::of_light(picture), CodeCurve::Linear),
+            (false, ToneCurve::LinearCodes) => (ObservedPicture::of_codes(picture), CodeCurve::Linear),
+            (false, _) => (ObservedPicture::of_codes(picture), CodeCurve::Srgb),
+        };
+        let control = Arc::new(RenderControl::default());
+        let own = Arc::clone(&control);
+        let job = Job::start(context, "check", move || {
+            let settings = DetectiveSettings { curve, ..DetectiveSettings::default() };
+            let checked =
+                Detective::new(&scene, settings).and_then(|detective| detective.check(&observed, &own));
+            match checked {
+                Ok(verdict) => Ok(CheckedScene { verdict, scene }),
+                Err(error) => Err(error.to_string()),
+            }
+        })?;
+        Ok(Self { key: found.key.clone(), control, job })
+    }
+}
+
+fn is_file_of_light(source: &ComparedPicture) -> bool {
+    let ComparedPicture::File(path) = source else { return false };
+    PictureFormat::of_path(path).is_some_and(|format| format.depths() == [SampleDepth::Linear])
+}
+
+/// The picture of the file, where a traced one is held against it.
+fn picture_to_check(found: &CompareResult) -> Option<&Picture> {
+    let truth = found.compared.truth()?;
+    let (other, _) = found.compared.others().next()?;
+    let file = match &found.key.sources {
+        [ComparedPicture::File(_), ComparedPicture::Method(Method::Whitted)] => truth,
+        [ComparedPicture::Method(Method::Whitted), ComparedPicture::File(_)] => other,
+        _ => return None,
+    };
+    Some(&file.picture)
+}
+
+/// Draws the button, how far the check is, or what it found; nothing where there is no file to check.
+pub(super) fn check_ui(ui: &mut Ui, cx: &Cx<'_>, state: &mut CheckState, found: &CompareResult) {
+    let Some(picture) = picture_to_check(found) else { return };
+    state.take_result();
+    ui.add_space(4.0);
+    ui.label(RichText::new(cx.t("compare-check-head")).strong());
+    if state.running.as_ref().is_some_and(|running| running.key == found.key) {
+        let is_cancelled = ui.horizontal(|ui| {
+            ui.spinner();
+            ui.weak(cx.t("compare-checking"));
+            ui.small_button(cx.t("cancel")).accessible_name(cx.t("compare-check-cancel")).clicked()
+        });
+        if is_cancelled.inner {
+            state.running = None;
+        }
+        return;
+    }
+    match state.found.as_ref().filter(|(key, _)| *key == found.key) {
+        Some((_, Ok(checked))) => verdict_ui(ui, cx, checked),
+        Some((_, Err(reason))) => {
+            let palette = theme::palette(ui.visuals());
+            let text = cx.texts.with("compare-check-failed", &[("reason", reason.as_str().into())]);
+            ui.add(Label::new(RichText::new(text).color(palette.error)).wrap());
+        }
+        None => {
+            let button = ui.button(cx.t("compare-check"));
+            if button.on_hover_text(cx.texts.tip("compare-check").unwrap_or_default()).clicked() {
+                match CheckTask::start(ui.ctx(), found, picture, cx.view.development) {
+                    Ok(running) => state.running = Some(running),
+                    Err(error) => state.found = Some((found.key.clone(), Err(error.to_string()))),
+                }
+            }
+        }
+    }
+}
+
+fn verdict_ui(ui: &mut Ui, cx: &Cx<'_>, checked: &CheckedScene) {
+    let language = report_language(cx.texts);
+    ui.add(Label::new(checked.verdict.sentence(&checked.scene, language)).wrap());
+    for line in checked.verdict.lines(&checked.scene, language) {
+        ui.add(Label::new(RichText::new(line).weak()).wrap());
+    }
+}
+
+impl CheckState {
+    fn take_result(&mut self) {
+        let Some(running) = &self.running else { return };
+        let result = match running.job.poll() {
+            JobStatus::Waiting => return,
+            JobStatus::Done(result) => result,
+            JobStatus::Lost => Err(String::new()),
+        };
+        self.found = Some((running.key.clone(), result));
+        self.running = None;
+    }
+}
