@@ -138,7 +138,7 @@ fn a_page_tells_what_was_found() {
         let nodes = document.descendants().filter(|node| node.has_tag_name(name));
         nodes
             .map(|node| {
-                node.descendants().filter(|node| node.is_text()).filter_map(|node| node.text()).collect()
+                node.descendants().filter(roxmltree::Node::is_text).filter_map(|node| node.text()).collect()
             })
             .collect()
     };
