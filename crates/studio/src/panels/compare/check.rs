@@ -46,30 +46,35 @@ impl Drop for CheckTask {
 impl CheckTask {
     fn start(
         context: &Context,
-        found: &CompareResult,
-        picture: &Picture,
+        found: &Arc<CompareResult>,
         development: Development,
     ) -> std::io::Result<Self> {
-        let Some(view) = &found.key.view else { return Err(std::io::ErrorKind::InvalidInput.into()) };
-        let scene = Scene { camera: view.camera, ..Scene::clone(&found.scene) };
-        let is_light = found.key.sources.iter().any(is_file_of_light);
-        let (observed, curve) = match (is_light, development.tone_curve) {
-            (true, _) => (ObservedPicture::of_light(picture), CodeCurve::Linear),
-            (false, ToneCurve::LinearCodes) => (ObservedPicture::of_codes(picture), CodeCurve::Linear),
-            (false, _) => (ObservedPicture::of_codes(picture), CodeCurve::Srgb),
-        };
         let control = Arc::new(RenderControl::default());
-        let own = Arc::clone(&control);
-        let job = Job::start(context, "check", move || {
-            let settings = DetectiveSettings { curve, ..DetectiveSettings::default() };
-            let checked =
-                Detective::new(&scene, settings).and_then(|detective| detective.check(&observed, &own));
-            match checked {
-                Ok(verdict) => Ok(CheckedScene { verdict, scene }),
-                Err(error) => Err(error.to_string()),
-            }
-        })?;
+        let (compared, own) = (Arc::clone(found), Arc::clone(&control));
+        let job = Job::start(context, "check", move || check(&compared, development, &own))?;
         Ok(Self { key: found.key.clone(), control, job })
+    }
+}
+
+fn check(
+    found: &CompareResult,
+    development: Development,
+    control: &RenderControl,
+) -> Result<CheckedScene, String> {
+    let Some((picture, view)) = picture_to_check(found).zip(found.key.view.as_ref()) else {
+        return Err(String::new());
+    };
+    let scene = Scene { camera: view.camera, ..Scene::clone(&found.scene) };
+    let is_light = found.key.sources.iter().any(is_file_of_light);
+    let observed =
+        if is_light { ObservedPicture::of_light(picture) } else { ObservedPicture::of_codes(picture) };
+    let has_linear_codes = is_light || development.tone_curve == ToneCurve::LinearCodes;
+    let curve = if has_linear_codes { CodeCurve::Linear } else { CodeCurve::Srgb };
+    let settings = DetectiveSettings { curve, ..DetectiveSettings::default() };
+    let checked = Detective::new(&scene, settings).and_then(|detective| detective.check(&observed, control));
+    match checked {
+        Ok(verdict) => Ok(CheckedScene { verdict, scene }),
+        Err(error) => Err(error.to_string()),
     }
 }
 
@@ -91,8 +96,10 @@ fn picture_to_check(found: &CompareResult) -> Option<&Picture> {
 }
 
 /// Draws the button, how far the check is, or what it found; nothing where there is no file to check.
-pub(super) fn check_ui(ui: &mut Ui, cx: &Cx<'_>, state: &mut CheckState, found: &CompareResult) {
-    let Some(picture) = picture_to_check(found) else { return };
+pub(super) fn check_ui(ui: &mut Ui, cx: &Cx<'_>, state: &mut CheckState, found: &Arc<CompareResult>) {
+    if picture_to_check(found).is_none() {
+        return;
+    }
     state.take_result();
     ui.add_space(4.0);
     ui.label(RichText::new(cx.t("compare-check-head")).strong());
@@ -117,7 +124,7 @@ pub(super) fn check_ui(ui: &mut Ui, cx: &Cx<'_>, state: &mut CheckState, found: 
         None => {
             let button = ui.button(cx.t("compare-check"));
             if button.on_hover_text(cx.texts.tip("compare-check").unwrap_or_default()).clicked() {
-                match CheckTask::start(ui.ctx(), found, picture, cx.view.development) {
+                match CheckTask::start(ui.ctx(), found, cx.view.development) {
                     Ok(running) => state.running = Some(running),
                     Err(error) => state.found = Some((found.key.clone(), Err(error.to_string()))),
                 }
