@@ -12,6 +12,7 @@ mod nff;
 mod options;
 mod phrase;
 mod scene_text;
+mod triangle;
 
 use std::path::Path;
 

@@ -95,9 +95,6 @@ catoptric_scene::messages! {
     NoBodyBefore:
         "these properties belong to no body",
         "перед этими свойствами нет тела";
-    NoTriangles:
-        "triangles are not drawn",
-        "треугольники не рисуются";
     OtherCamera:
         "another camera is left out; the first one is taken",
         "другая камера пропущена; взята первая";
@@ -128,9 +125,9 @@ catoptric_scene::messages! {
     ConeAtBase:
         "the position of a cone is taken as the center of its base, which is closed",
         "положение конуса взято как центр основания, оно закрыто";
-    SquareIsCuboid:
-        "a square is drawn as a cuboid a millionth of its side thick, turned along the shortest arc from +Y to its normal",
-        "квадрат рисуется параллелепипедом толщиной в миллионную долю стороны, повёрнутым кратчайшим путём от +Y к нормали";
+    SquareIsTurned:
+        "a square has no thickness, and is turned along the shortest arc from +Y to its normal",
+        "у квадрата нет толщины; он повёрнут кратчайшим путём от +Y к нормали";
     ReflectionBlends:
         "a reflection of r leaves 1 - r of the body's own light",
         "отражение r оставляет от собственного света тела долю 1 - r";
@@ -191,8 +188,8 @@ catoptric_scene::messages! {
         "there is no shape, and no definition, called `{name}`",
         "нет ни формы, ни определения с именем `{name}`";
     ShapesAre:
-        "to add there are camera, light, sphere, plane, cube, cylinder, cone, group and csg",
-        "добавить можно `camera`, `light`, `sphere`, `plane`, `cube`, `cylinder`, `cone`, `group` и `csg`";
+        "to add there are camera, light, sphere, plane, cube, cylinder, cone, triangle, group and csg",
+        "добавить можно `camera`, `light`, `sphere`, `plane`, `cube`, `cylinder`, `cone`, `triangle`, `group` и `csg`";
     UnknownTransform { name: String }:
         "there is no transform `{name}`",
         "преобразования `{name}` нет";
@@ -233,14 +230,17 @@ catoptric_scene::messages! {
         "a sheared `{name}` is not drawn",
         "`{name}` со сдвигом не рисуется";
     OpenEnds { name: String }:
-        "a `{name}` with open ends is not drawn",
-        "`{name}` с открытыми торцами не рисуется";
+        "a `{name}` with open ends has no inside, so it is no operand",
+        "у `{name}` с открытыми торцами нет внутренности, поэтому это не операнд";
+    FlatOperand:
+        "a triangle has no inside, so it is no operand",
+        "у треугольника нет внутренности, поэтому это не операнд";
     IsClosed:
         "it is closed",
         "торцы закрываются";
-    Endless { name: String }:
-        "an endless `{name}` is not drawn",
-        "бесконечный `{name}` не рисуется";
+    Endless { name: String, far: Number }:
+        "an endless `{name}` is drawn as far as {far} from its origin",
+        "бесконечный `{name}` рисуется до расстояния {far} от его начала";
     NoHeight { name: String }:
         "`min` of the `{name}` is not below `max`",
         "`min` у `{name}` не меньше `max`";
@@ -304,15 +304,24 @@ catoptric_scene::messages! {
     ViewTwice:
         "the scene has two views `v`",
         "в сцене два вида `v`";
-    NoPolygons:
-        "polygons are not drawn",
-        "многоугольники не рисуются";
-    OpenCone:
-        "cones and cylinders of NFF are open, and are not drawn",
-        "конусы и цилиндры NFF открыты и не рисуются";
+    NoPolygon { most: String }:
+        "only flat polygons without notches, of up to {most} corners, are drawn",
+        "рисуются только плоские многоугольники без выемок, не больше чем с {most} вершинами";
+    NoNormals:
+        "the normals of a patch are not drawn: it is flat",
+        "нормали многоугольника не рисуются: он плоский";
+    IsFlat:
+        "it is drawn flat",
+        "он рисуется плоским";
+    BothSides:
+        "what is seen from one side only in NFF is drawn from both",
+        "то, что в NFF видно только с одной стороны, рисуется с обеих";
     InsideOnly:
-        "a cone of which only the inside is seen is not drawn",
-        "конус, видный только изнутри, не рисуется";
+        "a cone of which only the inside is seen is drawn from both sides",
+        "конус, видный только изнутри, рисуется с обеих сторон";
+    MixedRadii:
+        "one radius of the cone is negative, the other is not",
+        "один радиус конуса отрицательный, а другой нет";
     NegativeRadius:
         "a negative radius means the inside; the sphere is taken as it is",
         "отрицательный радиус означает внутреннюю сторону; шар взят обычным";

@@ -5,7 +5,7 @@ use std::fmt;
 
 use catoptric_scene::{
     Body, Camera, Color, Falloff, Language, Light, Material, MaterialChoice, Matte, Phong, Projection, Scene,
-    Sentence, Surroundings, Tracing,
+    Sentence, Shape, Surroundings, Tracing,
 };
 use glam::DVec3;
 
@@ -92,11 +92,13 @@ impl SceneText {
         lights
     }
 
-    /// The bodies that are seen, with their materials; of compound ones and of other models than Phong's, that they are lost.
+    /// The bodies that are seen, with their materials; of those of parts but for surfaces with sizes of their own, and of other
+    /// models than Phong's, that they are lost.
     pub(crate) fn bodies<'s>(&mut self, scene: &'s Scene) -> Vec<(Title, &'s Body, Cow<'s, Phong>)> {
         let mut bodies = Vec::new();
         for (title, body) in seen_bodies(scene) {
-            if body.shape.is_compound() {
+            let is_sized_surface = body.shape == Shape::Surface && body.form().parametric().is_some();
+            if body.shape.is_compound() && !is_sized_surface {
                 self.lose(Message::LosesParts { title });
             } else if let Some(material) = self.surface(scene, &body.material, &title) {
                 bodies.push((title, body, material));

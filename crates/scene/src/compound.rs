@@ -1,4 +1,4 @@
-//! Compound bodies: unions, intersections, differences and groups of parts.
+//! Compound bodies: unions, intersections, differences, surfaces and groups of parts.
 
 mod instance;
 mod parametric;
@@ -8,8 +8,8 @@ use glam::{DAffine3, DVec3};
 pub use instance::Instance;
 pub(crate) use instance::SharedForm;
 pub use parametric::{
-    BodyShape, Bowl, DishDepth, DishProfile, Expansion, Lens, LensCurvature, MirrorDish, ParametricShape,
-    Prism, Ring, Tube, Wedge,
+    BodyShape, Bowl, Disc, DishDepth, DishProfile, Expansion, Lens, LensCurvature, MirrorDish, OpenCone,
+    OpenCylinder, ParametricShape, Prism, Rectangle, Ring, Triangle, Tube, Wedge,
 };
 pub(crate) use parametric::{BrokenSize, SizeFault};
 
@@ -64,7 +64,7 @@ pub struct Form<'a> {
 }
 
 impl Shape {
-    /// The largest number of simple parts in a union, an intersection or a difference.
+    /// The largest number of simple parts in a compound shape that is no group.
     pub const MAX_PARTS: usize = 64;
     /// How deep parts may be nested: a body with simple parts has the depth 1.
     pub const MAX_DEPTH: usize = 8;
@@ -140,10 +140,12 @@ impl<'a> Form<'a> {
                 Some([min.min(least), max.max(greatest)])
             })?,
             Shape::Difference => boxes.next().unwrap_or(Some(NOWHERE))?,
-            Shape::Intersection => boxes.flatten().reduce(|[min, max], [least, greatest]| {
-                let (min, max) = (min.max(least), max.min(greatest));
-                if min.cmple(max).all() { [min, max] } else { NOWHERE }
-            })?,
+            Shape::Intersection | Shape::Surface => {
+                boxes.flatten().reduce(|[min, max], [least, greatest]| {
+                    let (min, max) = (min.max(least), max.min(greatest));
+                    if min.cmple(max).all() { [min, max] } else { NOWHERE }
+                })?
+            }
             _ => return self.sized_shape().extent(),
         };
         // What has no parts is a point.

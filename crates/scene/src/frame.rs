@@ -34,9 +34,12 @@ impl Shape {
         let symmetry = match self {
             Self::Sphere { .. } => Symmetry::All,
             Self::Cylinder { .. } | Self::Cone { .. } | Self::Paraboloid { .. } => Symmetry::AboutY,
-            Self::Cube { .. } | Self::Union | Self::Intersection | Self::Difference | Self::Group => {
-                Symmetry::None
-            }
+            Self::Cube { .. }
+            | Self::Union
+            | Self::Intersection
+            | Self::Difference
+            | Self::Surface
+            | Self::Group => Symmetry::None,
             Self::Plane => {
                 let found = placement(frame, Symmetry::None).or_else(|| plane(frame));
                 return found.map(|found| Placement { scale: DVec3::ONE, ..found });

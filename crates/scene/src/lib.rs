@@ -24,8 +24,9 @@ pub use body::Body;
 pub use camera::{Camera, Projection};
 pub use color::Color;
 pub use compound::{
-    BodyPart, BodyShape, Bowl, DishDepth, DishProfile, Expansion, Form, Instance, Lens, LensCurvature,
-    MirrorDish, ParametricShape, Prism, Ring, SimplePart, Tube, Wedge,
+    BodyPart, BodyShape, Bowl, Disc, DishDepth, DishProfile, Expansion, Form, Instance, Lens, LensCurvature,
+    MirrorDish, OpenCone, OpenCylinder, ParametricShape, Prism, Rectangle, Ring, SimplePart, Triangle, Tube,
+    Wedge,
 };
 pub use environment::{Environment, Sky, Surroundings};
 pub use examples::Example;

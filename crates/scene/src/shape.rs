@@ -62,6 +62,9 @@ pub enum Shape {
     Intersection,
     /// What lies in the first of the body's parts and in none of the others.
     Difference,
+    /// The surface of the first of the body's parts, which is a simple one, without its caps, as far as it lies in all of
+    /// the others. It has no inside: light that passes it goes straight on.
+    Surface,
     /// Parts that stand together, each a body of its own. A group that is itself a part of a union, an intersection or a
     /// difference is a union.
     Group,
@@ -107,6 +110,7 @@ impl Shape {
             Self::Union => ShapeKind::Union,
             Self::Intersection => ShapeKind::Intersection,
             Self::Difference => ShapeKind::Difference,
+            Self::Surface => ShapeKind::Surface,
             Self::Group => ShapeKind::Group,
         }
     }
@@ -238,7 +242,12 @@ impl Shape {
             Self::Paraboloid { radius, depth } => {
                 question(&Paraboloid { radius, height: depth.height(radius) })
             }
-            Self::Plane | Self::Union | Self::Intersection | Self::Difference | Self::Group => return None,
+            Self::Plane
+            | Self::Union
+            | Self::Intersection
+            | Self::Difference
+            | Self::Surface
+            | Self::Group => return None,
         })
     }
 
@@ -301,19 +310,31 @@ pub enum ShapeKind {
     Prism,
     /// [`ParametricShape::Wedge`](crate::ParametricShape::Wedge).
     Wedge,
+    /// [`ParametricShape::OpenCylinder`](crate::ParametricShape::OpenCylinder).
+    OpenCylinder,
+    /// [`ParametricShape::OpenCone`](crate::ParametricShape::OpenCone).
+    OpenCone,
+    /// [`ParametricShape::Disc`](crate::ParametricShape::Disc).
+    Disc,
+    /// [`ParametricShape::Rectangle`](crate::ParametricShape::Rectangle).
+    Rectangle,
+    /// [`ParametricShape::Triangle`](crate::ParametricShape::Triangle).
+    Triangle,
     /// [`Shape::Union`].
     Union,
     /// [`Shape::Intersection`].
     Intersection,
     /// [`Shape::Difference`].
     Difference,
+    /// [`Shape::Surface`].
+    Surface,
     /// [`Shape::Group`].
     Group,
 }
 
 impl ShapeKind {
     /// All shapes: those of one piece, those that numbers make of parts, then those that are given their parts.
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 23] = [
         Self::Sphere,
         Self::Cube,
         Self::Cylinder,
@@ -327,9 +348,15 @@ impl ShapeKind {
         Self::Bowl,
         Self::Prism,
         Self::Wedge,
+        Self::OpenCylinder,
+        Self::OpenCone,
+        Self::Disc,
+        Self::Rectangle,
+        Self::Triangle,
         Self::Union,
         Self::Intersection,
         Self::Difference,
+        Self::Surface,
         Self::Group,
     ];
 
@@ -338,12 +365,24 @@ impl ShapeKind {
         [Self::Sphere, Self::Cube, Self::Cylinder, Self::Cone, Self::Paraboloid, Self::Plane];
 
     /// The shapes that numbers make of parts, in the order in which to offer them.
-    pub const PARAMETRIC: [Self; 7] =
-        [Self::Lens, Self::MirrorDish, Self::Tube, Self::Ring, Self::Bowl, Self::Prism, Self::Wedge];
+    pub const PARAMETRIC: [Self; 12] = [
+        Self::Lens,
+        Self::MirrorDish,
+        Self::Tube,
+        Self::Ring,
+        Self::Bowl,
+        Self::Prism,
+        Self::Wedge,
+        Self::OpenCylinder,
+        Self::OpenCone,
+        Self::Disc,
+        Self::Rectangle,
+        Self::Triangle,
+    ];
 
     /// Whether a body of this shape is given [parts](crate::Body::parts).
     pub const fn is_compound(self) -> bool {
-        matches!(self, Self::Union | Self::Intersection | Self::Difference | Self::Group)
+        matches!(self, Self::Union | Self::Intersection | Self::Difference | Self::Surface | Self::Group)
     }
 
     /// The shape's name in scene files.
@@ -362,9 +401,15 @@ impl ShapeKind {
             Self::Bowl => "bowl",
             Self::Prism => "prism",
             Self::Wedge => "wedge",
+            Self::OpenCylinder => "open-cylinder",
+            Self::OpenCone => "open-cone",
+            Self::Disc => "disc",
+            Self::Rectangle => "rectangle",
+            Self::Triangle => "triangle",
             Self::Union => "union",
             Self::Intersection => "intersection",
             Self::Difference => "difference",
+            Self::Surface => "surface",
             Self::Group => "group",
         }
     }
@@ -386,6 +431,12 @@ impl ShapeKind {
             Self::Union => Shape::Union,
             Self::Intersection | Self::Lens | Self::Prism | Self::Wedge => Shape::Intersection,
             Self::Difference | Self::MirrorDish | Self::Tube | Self::Ring | Self::Bowl => Shape::Difference,
+            Self::Surface
+            | Self::OpenCylinder
+            | Self::OpenCone
+            | Self::Disc
+            | Self::Rectangle
+            | Self::Triangle => Shape::Surface,
             Self::Group => Shape::Group,
         }
     }

@@ -154,6 +154,11 @@ impl Geometry {
         order(a).cmp(&order(b))
     }
 
+    /// Whether the body at this place is a surface without inside.
+    pub(crate) fn is_surface(&self, index: u32) -> bool {
+        self.joined(index).is_some_and(|joined| joined.tree.is_surface())
+    }
+
     /// The joined body at this place, if it is one.
     pub(crate) fn joined(&self, index: u32) -> Option<&JoinedBody> {
         let body = self.body(index);
@@ -276,7 +281,7 @@ impl Geometry {
     /// Whether a point of the space of the rays lies in a body.
     pub(crate) fn contains(&self, index: u32, point: Vector<f32>) -> bool {
         match self.joined(index) {
-            Some(joined) => joined.tree.holds(self.parts_around(joined, point)),
+            Some(joined) => !joined.tree.is_surface() && joined.tree.holds(self.parts_around(joined, point)),
             None => self.contains_simple(index, point),
         }
     }

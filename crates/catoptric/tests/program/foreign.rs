@@ -51,10 +51,10 @@ fn notes_are_told_and_errors_end_a_command() {
     let found = folder.good("check a.rt");
     assert!(found.ends_with("a.rt: good, 2 notes (1 body, 1 light)\n"), "{found}");
     assert!(found.contains("2 | A 0.2 255,255,255\n"), "{found}");
-    folder.write("b.rt", format!("{SCENE}tr 0,0,0 1,0,0 0,1,0 1,2,3\nsp 0,0,0 -1 1,2,3\n"));
+    folder.write("b.rt", format!("{SCENE}to 0,0,0 1,0,0 2 1 1,2,3\nsp 0,0,0 -1 1,2,3\n"));
     let refused = folder.refused("render b.rt -o b.png");
     assert!(
-        refused.contains("triangles are not drawn") && refused.contains("the diameter is -1"),
+        refused.contains("there is no element `to`") && refused.contains("the diameter is -1"),
         "{refused}"
     );
     assert!(!folder.path("b.png").exists());
@@ -63,7 +63,7 @@ fn notes_are_told_and_errors_end_a_command() {
 #[test]
 fn dialects_and_approximations_are_asked_for() {
     let folder = Folder::new();
-    folder.write("a.rt", format!("{SCENE}tr 0,0,0 1,0,0 0,1,0 1,2,3\n"));
+    folder.write("a.rt", format!("{SCENE}to 0,0,0 1,0,0 2 1 1,2,3\n"));
     done(&folder, "render a.rt -o a.png --approximate");
     assert_eq!(codes(&folder, "a.png", 1), [128, 51, 0]);
     done(&folder, "check a.rt --approximate --dialect radius,vertical-fov");

@@ -11,7 +11,7 @@ use crate::edited_scene::EditedScene;
 use crate::names::UsedNames;
 use crate::selection::Selection;
 
-/// The selected bodies that are not locked, in the order of choosing, two at least.
+/// The selected bodies that are not locked, in the order of choosing, two at least; one is enough for a surface.
 pub(super) fn check_join(scene: &EditedScene, selection: &Selection, shape: ShapeKind) -> Result<Vec<usize>> {
     let mut indices = selected_bodies(scene, selection);
     if indices.is_empty() || !shape.is_compound() {
@@ -20,7 +20,7 @@ pub(super) fn check_join(scene: &EditedScene, selection: &Selection, shape: Shap
     indices.retain(|index| !ScenePart::Body(*index).is_locked(scene.scene()));
     match indices.len() {
         0 => Err(ActionError::Locked),
-        1 => Err(ActionError::OneBody),
+        1 if shape != ShapeKind::Surface => Err(ActionError::OneBody),
         _ => Ok(indices),
     }
 }

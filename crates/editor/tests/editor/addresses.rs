@@ -32,10 +32,15 @@ radius = 0.5
 material = 'glass'
 [[bodies.parts]]
 position = [1.0, 0.0, 0.0]
+[[bodies]]
+name = 'crowd'
+shape = 'group'
+[[bodies.parts]]
+name = 'member'
 ";
 
 /// What can be wrong with values that are valid by themselves.
-const RULES: [&str; 14] = [
+const RULES: [&str; 17] = [
     "the body `",
     "with this instance of",
     "`target` and",
@@ -50,6 +55,9 @@ const RULES: [&str; 14] = [
     "the ball of a face",
     "a lens whose index",
     "no lens of this",
+    "a surface has no inside",
+    "the first part of a surface",
+    "the corners `a`",
 ];
 
 /// Values of a key at the ends of what it can be and between.

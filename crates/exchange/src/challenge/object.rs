@@ -1,8 +1,8 @@
 //! Bodies as objects of the book.
 
 use catoptric_scene::{
-    Body, BodyPart, Color, Form, MaterialChoice, PatternSpace, Placement, Scene, Shape, SolidKind,
-    SolidTexture, rotation_degrees,
+    Body, BodyPart, Color, Form, MaterialChoice, OpenCone, OpenCylinder, ParametricShape, PatternSpace,
+    Placement, Scene, Shape, SolidKind, SolidTexture, Triangle, rotation_degrees,
 };
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 
@@ -69,7 +69,7 @@ impl ObjectWriter<'_> {
     }
 
     fn form(&mut self, form: &Form<'_>, context: PartContext<'_>, place: &ObjectPlace) -> Option<()> {
-        if !form.shape.is_compound() {
+        if !form.shape.is_compound() || form.shape == Shape::Surface {
             return self.simple(form, context, place);
         }
         let around = [context.around, &[form.placement]].concat();
@@ -118,8 +118,9 @@ impl ObjectWriter<'_> {
 
     fn simple(&mut self, form: &Form<'_>, context: PartContext<'_>, place: &ObjectPlace) -> Option<()> {
         let PartContext { title, around, is_operand, material } = context;
-        let is_half_space = form.shape == Shape::Plane && is_operand;
-        let shape = BookShape::of(form.sized_shape()).filter(|_| !is_half_space);
+        // Half-spaces and surfaces are no operands of the book.
+        let is_half_space = matches!(form.shape, Shape::Plane | Shape::Surface) && is_operand;
+        let shape = BookShape::of_form(form).filter(|_| !is_half_space);
         let Some(shape) = shape else {
             self.out.lose(Message::LosesShape { title: title.clone() });
             return None;
@@ -133,7 +134,11 @@ impl ObjectWriter<'_> {
         out.line(&format!("{}{}", place.lead, shape.name));
         if let Some(ends) = shape.ends {
             let [min, max] = ends.map(decimal);
-            out.line(&format!("{indent}min: {min}\n{indent}max: {max}\n{indent}closed: true"));
+            let closed = shape.is_closed;
+            out.line(&format!("{indent}min: {min}\n{indent}max: {max}\n{indent}closed: {closed}"));
+        }
+        for (key, corner) in ["p1", "p2", "p3"].into_iter().zip(shape.corners.into_iter().flatten()) {
+            out.line(&format!("{indent}{key}: [{}]", three(MIRROR * corner, ", ")));
         }
         let mut moves = TransformList::default();
         moves.translate(DVec3::Y * shape.shift);
@@ -172,13 +177,36 @@ impl ObjectWriter<'_> {
 struct BookShape {
     name: &'static str,
     ends: Option<[f64; 2]>,
+    is_closed: bool,
+    /// Of a triangle, in the axes of the scene.
+    corners: Option<[DVec3; 3]>,
     shift: f64,
     scale: DVec3,
 }
 
 impl BookShape {
+    fn of_form(form: &Form<'_>) -> Option<Self> {
+        match form.parametric() {
+            None => Self::of(form.sized_shape()),
+            Some(&ParametricShape::OpenCylinder(OpenCylinder { radius, height })) => {
+                Some(Self { is_closed: false, ..Self::of(Shape::Cylinder { radius, height })? })
+            }
+            Some(&ParametricShape::OpenCone(OpenCone { radius, top_radius, height })) => {
+                Some(Self { is_closed: false, ..Self::of(Shape::Cone { radius, top_radius, height })? })
+            }
+            Some(&ParametricShape::Triangle(Triangle { a, b, c })) => {
+                Some(Self { corners: Some([a, b, c]), ..Self::plain("triangle", DVec3::ONE) })
+            }
+            Some(_) => None,
+        }
+    }
+
+    const fn plain(name: &'static str, scale: DVec3) -> Self {
+        Self { name, ends: None, is_closed: true, corners: None, shift: 0.0, scale }
+    }
+
     fn of(shape: Shape) -> Option<Self> {
-        let plain = |name, scale| Self { name, ends: None, shift: 0.0, scale };
+        let plain = Self::plain;
         Some(match shape {
             Shape::Sphere { radius } => plain("sphere", DVec3::splat(radius)),
             Shape::Cube { size } => plain("cube", 0.5 * size),
@@ -197,12 +225,14 @@ impl BookShape {
                     (top_radius, [radius / top_radius, 1.0])
                 };
                 let scale = DVec3::new(wide, height / (ends[1] - ends[0]), wide);
-                Self { name: "cone", ends: Some(ends.map(|end| end + 0.0)), shift: -ends[0], scale }
+                let ends_of_cone = Some(ends.map(|end| end + 0.0));
+                Self { ends: ends_of_cone, shift: -ends[0], ..plain("cone", scale) }
             }
             Shape::Paraboloid { .. }
             | Shape::Union
             | Shape::Intersection
             | Shape::Difference
+            | Shape::Surface
             | Shape::Group => return None,
         })
     }

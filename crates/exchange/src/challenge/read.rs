@@ -18,9 +18,10 @@ use crate::options::{DEFAULT_SIZE, ImportOptions, ImportedScene};
 /// The most parts that definitions may make: bodies, groups and transforms.
 const MOST_PARTS: usize = 200_000;
 /// What can be added, besides definitions.
-const SHAPES: [&str; 9] = ["camera", "light", "sphere", "plane", "cube", "cylinder", "cone", "group", "csg"];
+const SHAPES: [&str; 10] =
+    ["camera", "light", "sphere", "plane", "cube", "cylinder", "cone", "triangle", "group", "csg"];
 /// What the book has and a scene does not.
-const NOT_DRAWN: [&str; 4] = ["obj", "obj-file", "triangle", "smooth-triangle"];
+const NOT_DRAWN: [&str; 3] = ["obj", "obj-file", "smooth-triangle"];
 
 /// Reads a scene. All errors are reported at once, but for those of the YAML, which end it.
 pub(crate) fn read(text: &str, options: &ImportOptions) -> Result<ImportedScene, Diagnostics> {
@@ -216,7 +217,15 @@ impl ChallengeReader {
         if name == "csg" {
             return self.csg(table, context, span);
         }
-        if let Some(solids) = self.solids(name, &mut table, span) {
+        if name == "triangle" {
+            let corners = self.corners(&mut table);
+            table.end(&mut self.draft);
+            if self.operand.is_some() {
+                self.draft.unsupported(span, Message::FlatOperand, Message::LeftOut);
+            } else if let Some(corners) = corners {
+                self.triangle(corners, context.world_from_object, context.material.as_ref(), span);
+            }
+        } else if let Some(solids) = self.solids(name, &mut table, span) {
             table.end(&mut self.draft);
             for solid in solids {
                 let ObjectContext { world_from_object, material, .. } = context;

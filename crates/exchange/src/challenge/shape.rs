@@ -3,7 +3,10 @@
 use std::ops::Range;
 use std::rc::Rc;
 
-use catoptric_scene::{Body, BodyPart, Material, MaterialChoice, Placement, Shape};
+use catoptric_scene::{
+    Body, BodyPart, BodyShape, Material, MaterialChoice, OpenCone, OpenCylinder, ParametricShape, Placement,
+    Shape,
+};
 use glam::{DAffine3, DVec3};
 
 use crate::challenge::material::default_material;
@@ -12,6 +15,7 @@ use crate::challenge::read::ChallengeReader;
 use crate::challenge::table::Table;
 use crate::challenge::yaml::Node;
 use crate::message::Message;
+use crate::triangle::level_triangle_at;
 
 /// The book's axes are left-handed: z into the picture. Ours have it out of it.
 pub(super) const MIRROR: DVec3 = DVec3::new(1.0, 1.0, -1.0);
@@ -20,13 +24,18 @@ pub(super) const MIRROR: DVec3 = DVec3::new(1.0, 1.0, -1.0);
 #[derive(Clone, Copy)]
 pub(super) struct Solid {
     shape: Shape,
+    /// Whether it is without caps.
+    is_open: bool,
     /// From the shape's own frame to the book's.
     object_from_shape: DAffine3,
 }
 
+/// How far cylinders and cones without end are drawn, meters.
+const FAR: f64 = 1e4;
+
 impl Solid {
     const fn plain(shape: Shape) -> Self {
-        Self { shape, object_from_shape: DAffine3::IDENTITY }
+        Self { shape, is_open: false, object_from_shape: DAffine3::IDENTITY }
     }
 
     /// A solid around the y axis from one height to another, with its radius at both. An apex is above.
@@ -43,7 +52,7 @@ impl Solid {
         } else {
             Shape::Cone { radius, top_radius, height }
         };
-        Self { shape, object_from_shape }
+        Self { shape, is_open: false, object_from_shape }
     }
 }
 
@@ -81,24 +90,62 @@ impl ChallengeReader {
         let is_closed =
             closed.is_some_and(|node| super::table::flag(&node, "closed", &mut self.draft) == Some(true));
         let name = name.to_owned();
-        let Some((min, max)) = min.zip(max) else {
-            self.draft.unsupported(span, Message::Endless { name }, Message::LeftOut);
-            return Vec::new();
-        };
+        if min.is_none() || max.is_none() {
+            self.draft.note(span, Message::Endless { name: name.clone(), far: FAR.into() }, None);
+        }
+        let (min, max) = (min.unwrap_or(-FAR), max.unwrap_or(FAR));
         if min >= max {
             self.draft.error(span, Message::NoHeight { name });
             return Vec::new();
         }
-        if !is_closed {
+        let is_open = !is_closed && self.operand.is_none();
+        if !is_closed && !is_open {
             self.draft.unsupported(span, Message::OpenEnds { name: name.clone() }, Message::IsClosed);
         }
         let radius = |y: f64| if name == "cylinder" { 1.0 } else { y.abs() };
-        let between = |ends: [f64; 2]| Solid::around_axis(ends, ends.map(radius));
+        let between = |ends: [f64; 2]| Solid { is_open, ..Solid::around_axis(ends, ends.map(radius)) };
         if name == "cone" && min < 0.0 && max > 0.0 {
             vec![between([min, 0.0]), between([0.0, max])]
         } else {
             vec![between([min, max])]
         }
+    }
+
+    /// Adds a triangle that `world_from_object` carries to the book's world. Its plane is y = 0 of the body's own frame, as
+    /// patterns on it want.
+    pub(super) fn triangle(
+        &mut self,
+        corners: [DVec3; 3],
+        world_from_object: DAffine3,
+        material: Option<&Rc<Node>>,
+        span: &Range<usize>,
+    ) {
+        let mirror = DAffine3::from_scale(MIRROR);
+        let corners = corners.map(|corner| (mirror * world_from_object).transform_point3(corner));
+        let (shape, placement) = level_triangle_at(corners);
+        if !(world_from_object.matrix3.determinant().abs() > 0.0 && world_from_object.is_finite()) {
+            self.draft.error(span, Message::Flat);
+            return;
+        }
+        let material = match material {
+            Some(node) => {
+                let object_from_world = world_from_object.inverse() * mirror;
+                let surface = Surface { object_from_world, placement: &placement, is_plane: true };
+                let Some(material) = self.material(node, &surface) else { return };
+                material
+            }
+            None => Material::Phong(default_material()),
+        };
+        let material = MaterialChoice::Inline(Box::new(material));
+        self.draft.body(Body { placement, material, ..Body::of_shape(shape) }, span);
+    }
+
+    /// The corners of a triangle.
+    pub(super) fn corners(&mut self, table: &mut Table) -> Option<[DVec3; 3]> {
+        let nodes = ["p1", "p2", "p3"].map(|key| table.require(&[key], &mut self.draft));
+        let mut corner = |node: Option<Rc<Node>>| super::table::vector(node?.as_ref(), "p1", &mut self.draft);
+        let [a, b, c] = nodes.map(&mut corner);
+        Some([a?, b?, c?])
     }
 
     /// Adds a solid that `world_from_object` carries to the book's world.
@@ -139,8 +186,24 @@ impl ChallengeReader {
             Some(parts) => {
                 parts.push(BodyPart { shape, placement, material: Some(material), ..BodyPart::default() });
             }
-            None => self.draft.body(Body { shape, placement, material, ..Body::default() }, span),
+            None => {
+                let shape = if solid.is_open { opened(shape) } else { BodyShape::Plain(shape) };
+                self.draft.body(Body { placement, material, ..Body::of_shape(shape) }, span);
+            }
         }
+    }
+}
+
+/// A cylinder or cone without its caps.
+fn opened(shape: Shape) -> BodyShape {
+    match shape {
+        Shape::Cylinder { radius, height } => {
+            BodyShape::Parametric(ParametricShape::OpenCylinder(OpenCylinder { radius, height }))
+        }
+        Shape::Cone { radius, top_radius, height } => {
+            BodyShape::Parametric(ParametricShape::OpenCone(OpenCone { radius, top_radius, height }))
+        }
+        closed => BodyShape::Plain(closed),
     }
 }
 

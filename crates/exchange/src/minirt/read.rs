@@ -3,8 +3,8 @@
 use std::ops::Range;
 
 use catoptric_scene::{
-    Anchor, Body, Camera, Color, Diagnostic, Diagnostics, Light, MaterialChoice, Placement, Projection,
-    Severity, Shape, nearest, rotation_degrees,
+    Anchor, Body, BodyShape, Camera, Color, Diagnostic, Diagnostics, Light, MaterialChoice, ParametricShape,
+    Placement, Projection, Rectangle, Severity, Shape, nearest, rotation_degrees,
 };
 use glam::{DQuat, DVec3};
 
@@ -16,9 +16,8 @@ use crate::minirt::arguments::{Arguments, Spanned, out_of_range};
 use crate::minirt::property::Finish;
 use crate::options::{DEFAULT_SIZE, ImportOptions, ImportedScene};
 use crate::phrase::Argument;
+use crate::triangle::triangle_at;
 
-/// A square is a cuboid of this thickness, as a share of its side.
-pub(super) const SQUARE_THICKNESS: f64 = 1e-6;
 /// The elements in the order of the subject.
 const ELEMENTS: [&str; 12] = ["R", "A", "C", "L", "sp", "pl", "cy", "sq", "co", "tr", "c", "l"];
 /// Begins a line of properties of the body before.
@@ -53,7 +52,7 @@ pub(crate) fn read(text: &str, options: &ImportOptions) -> Result<ImportedScene,
 
 /// A body whose material is still to be told: properties may follow on the next line.
 struct OpenBody {
-    shape: Shape,
+    shape: BodyShape,
     placement: Placement,
     color: Color,
     finish: Finish,
@@ -210,7 +209,7 @@ impl MiniRtReader {
         let radius = diameter.map(|diameter| self.radius(diameter.value));
         let geometry = center
             .zip(radius)
-            .map(|(center, radius)| (Shape::Sphere { radius }, Placement::at(center.value)));
+            .map(|(center, radius)| (plain(Shape::Sphere { radius }), Placement::at(center.value)));
         self.open_body(geometry, color, arguments);
     }
 
@@ -220,7 +219,7 @@ impl MiniRtReader {
         let normal = arguments.direction(Argument::Normal, draft);
         let color = arguments.color(draft);
         let geometry =
-            point.zip(normal).map(|(point, normal)| (Shape::Plane, turned(point.value, normal.value)));
+            point.zip(normal).map(|(point, normal)| (plain(Shape::Plane), turned(point.value, normal.value)));
         self.open_body(geometry, color, arguments);
     }
 
@@ -231,7 +230,7 @@ impl MiniRtReader {
         let placement =
             Placement { anchor: Anchor::Axis { base, top: base + height * axis }, scale: DVec3::ONE };
         self.places.cylinder.get_or_insert(arguments.span.clone());
-        self.open_body(Some((Shape::Cylinder { radius, height }, placement)), Some(color), arguments);
+        self.open_body(Some((plain(Shape::Cylinder { radius, height }), placement)), Some(color), arguments);
     }
 
     fn cone(&mut self, arguments: &mut Arguments<'_>) {
@@ -242,7 +241,7 @@ impl MiniRtReader {
         let placement = Placement { anchor: Anchor::Axis { base, top }, scale: DVec3::ONE };
         self.places.cone.get_or_insert(arguments.span.clone());
         let shape = Shape::Cone { radius, top_radius: 0.0, height };
-        self.open_body(Some((shape, placement)), Some(color), arguments);
+        self.open_body(Some((plain(shape), placement)), Some(color), arguments);
     }
 
     /// Position, axis, radius, height and color of a body around an axis.
@@ -269,8 +268,9 @@ impl MiniRtReader {
         let side = arguments.size(Argument::Side, draft);
         let color = arguments.color(draft);
         let geometry = center.zip(normal).zip(side).map(|((center, normal), side)| {
-            let size = DVec3::new(side.value, SQUARE_THICKNESS * side.value, side.value);
-            (Shape::Cube { size }, turned(center.value, normal.value))
+            let square = Rectangle { width: side.value, length: side.value };
+            let shape = BodyShape::Parametric(ParametricShape::Rectangle(square));
+            (shape, turned(center.value, normal.value))
         });
         self.places.square.get_or_insert(arguments.span.clone());
         self.open_body(geometry, color, arguments);
@@ -278,12 +278,12 @@ impl MiniRtReader {
 
     fn triangle(&mut self, arguments: &mut Arguments<'_>) {
         let draft = &mut self.draft;
-        for _ in 0..3 {
-            arguments.point(Argument::Corner, draft);
-        }
-        arguments.color(draft);
-        Finish::default().read(arguments, draft);
-        draft.unsupported(&arguments.span, Message::NoTriangles, Message::LeftOut);
+        let corners = [(); 3].map(|()| arguments.point(Argument::Corner, draft));
+        let color = arguments.color(draft);
+        let [a, b, c] = corners.map(|corner| corner.map(|corner| corner.value));
+        let corners = a.zip(b).zip(c).map(|((a, b), c)| [a, b, c]);
+        let geometry = corners.map(triangle_at);
+        self.open_body(geometry, color, arguments);
     }
 
     fn radius(&self, diameter: f64) -> f64 {
@@ -292,7 +292,7 @@ impl MiniRtReader {
 
     fn open_body(
         &mut self,
-        geometry: Option<(Shape, Placement)>,
+        geometry: Option<(BodyShape, Placement)>,
         color: Option<Spanned<Color>>,
         arguments: &mut Arguments<'_>,
     ) {
@@ -327,7 +327,7 @@ impl MiniRtReader {
             }
         }
         let material = MaterialChoice::Inline(Box::new(finish.material(color, self.draft.options.dialect)));
-        self.draft.body(Body { shape, placement, material, ..Body::default() }, &span);
+        self.draft.body(Body { placement, material, ..Body::of_shape(shape) }, &span);
     }
 
     fn finish(mut self, text: &str) -> Result<ImportedScene, Diagnostics> {
@@ -367,7 +367,7 @@ impl MiniRtReader {
             draft.note(span, message, (!dialect.is_cone_at_base).then(|| dialect_help("cone-base")));
         }
         if let Some(span) = &places.square {
-            draft.note(span, Message::SquareIsCuboid, None);
+            draft.note(span, Message::SquareIsTurned, None);
         }
         if let Some(span) = &places.reflection {
             let message = if dialect.has_added_reflection {
@@ -416,6 +416,11 @@ fn look(draft: &mut Draft, span: &Range<usize>, view: &View) {
     };
 }
 
+/// A shape of one piece.
+fn plain(shape: Shape) -> BodyShape {
+    BodyShape::Plain(shape)
+}
+
 /// A frame at `origin` whose +Y is turned to `normal` along the shortest arc.
 fn turned(origin: DVec3, normal: DVec3) -> Placement {
     let rotation_degrees = rotation_degrees(DQuat::from_rotation_arc(DVec3::Y, normal));
@@ -440,5 +445,13 @@ fn mirror(draft: &mut Draft) {
             }
             Anchor::Axis { base, top } => [base, top].into_iter().for_each(mirror),
         }
+        body.change_shape(|shape| {
+            for corner in ["a", "b", "c"] {
+                if let Some(mut point) = shape.vector(corner) {
+                    mirror(&mut point);
+                    shape.set_vector(corner, point);
+                }
+            }
+        });
     }
 }

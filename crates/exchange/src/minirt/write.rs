@@ -1,11 +1,13 @@
 //! Writing miniRT's scenes, as the subject has them.
 
-use catoptric_scene::{Body, Camera, Color, PatternSpace, Phong, Scene, Shape, SolidKind, SolidTexture};
-use glam::{DMat3, DVec3};
+use catoptric_scene::{
+    Body, Camera, Color, ParametricShape, PatternSpace, Phong, Rectangle, Scene, Shape, SolidKind,
+    SolidTexture, Triangle,
+};
+use glam::{DAffine3, DMat3, DVec3};
 
 use crate::camera::{horizontal_from_vertical, up_for};
 use crate::message::Message;
-use crate::minirt::read::SQUARE_THICKNESS;
 use crate::options::DEFAULT_SIZE;
 use crate::phrase::Title;
 use crate::scene_text::{ExportOptions, SceneText, decimal, three, times};
@@ -90,7 +92,13 @@ fn element(title: &Title, body: &Body, material: &Phong, out: &mut SceneText) {
     let scale = body.placement.scale;
     let (origin, up) = (frame.translation, turn.y_axis);
     let is_uniform = scale.x == scale.y && scale.y == scale.z;
+    let form = body.form();
+    let flat = form.parametric().map(|shape| flat(*shape, (frame, turn, is_uniform.then_some(scale.x))));
     let geometry = match body.sized_shape() {
+        _ if flat.is_some() => match flat.flatten() {
+            Some(geometry) => geometry,
+            None => return out.lose(Message::LosesShape { title: title.clone() }),
+        },
         Shape::Sphere { radius } if is_uniform => {
             format!("sp {} {}", three(origin, ","), decimal(2.0 * radius * scale.x))
         }
@@ -104,9 +112,6 @@ fn element(title: &Title, body: &Body, material: &Phong, out: &mut SceneText) {
             let (height, diameter) = (height * scale.y, 2.0 * radius * scale.x);
             let apex = origin + height * up;
             format!("co {} {} {} {}", three(apex, ","), three(-up, ","), decimal(diameter), decimal(height))
-        }
-        Shape::Cube { size } if is_uniform && is_square(size) && is_shortest(turn) => {
-            format!("sq {} {} {}", three(origin, ","), three(up, ","), decimal(size.x * scale.x))
         }
         _ => return out.lose(Message::LosesShape { title: title.clone() }),
     };
@@ -147,9 +152,21 @@ fn element(title: &Title, body: &Body, material: &Phong, out: &mut SceneText) {
     out.line(&line);
 }
 
-/// Whether a cuboid is what the reader makes of a square.
-fn is_square(size: DVec3) -> bool {
-    size.x == size.z && (size.y - SQUARE_THICKNESS * size.x).abs() <= 1e-9 * size.y
+/// A square or a triangle in a frame with this turn, and this scale if it is uniform.
+fn flat(shape: ParametricShape, (frame, turn, scale): (DAffine3, DMat3, Option<f64>)) -> Option<String> {
+    match (shape, scale) {
+        (ParametricShape::Rectangle(Rectangle { width, length }), Some(scale))
+            if width == length && is_shortest(turn) =>
+        {
+            let [center, up] = [frame.translation, turn.y_axis].map(|point| three(point, ","));
+            Some(format!("sq {center} {up} {}", decimal(width * scale)))
+        }
+        (ParametricShape::Triangle(Triangle { a, b, c }), _) => {
+            let corners = [a, b, c].map(|corner| three(frame.transform_point3(corner), ","));
+            Some(format!("tr {}", corners.join(" ")))
+        }
+        _ => None,
+    }
 }
 
 /// Whether a turn carries +Y along the shortest arc, as the reader turns a square.

@@ -3,15 +3,16 @@
 use std::ops::Range;
 
 use catoptric_scene::{
-    Anchor, Body, Camera, Color, Diagnostics, Light, Material, MaterialChoice, Pattern, Phong, Placement,
-    Projection, Shape,
+    Anchor, Body, BodyShape, Camera, Color, Diagnostics, Expansion, Light, Material, MaterialChoice,
+    OpenCone, OpenCylinder, ParametricShape, Pattern, Phong, Placement, Projection, Shape, rotation_degrees,
 };
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 
 use crate::draft::Draft;
 use crate::lines::{MOST_WORDS, Word, lines, number};
 use crate::message::Message;
 use crate::options::{ImportOptions, ImportedScene};
+use crate::triangle::triangle_at;
 
 /// The most corners of a polygon.
 const MOST_CORNERS: usize = 10_000;
@@ -27,7 +28,13 @@ const VIEW: [(&str, &str, usize); 6] = [
 
 /// Reads a scene. All errors are reported at once.
 pub(crate) fn read(text: &str, options: &ImportOptions) -> Result<ImportedScene, Diagnostics> {
-    let mut reader = NffReader { draft: Draft::new(options), fill: None, view: None, colorless: Vec::new() };
+    let mut reader = NffReader {
+        draft: Draft::new(options),
+        fill: None,
+        view: None,
+        one_sided: None,
+        colorless: Vec::new(),
+    };
     let mut lines = lines(text);
     while let Some(line) = lines.next() {
         reader.record(&line, &mut lines);
@@ -40,6 +47,8 @@ struct NffReader {
     /// The material of what follows.
     fill: Option<Phong>,
     view: Option<Range<usize>>,
+    /// The first of what is seen from one side only.
+    one_sided: Option<Range<usize>>,
     /// Lights whose color follows from their number.
     colorless: Vec<(usize, Range<usize>)>,
 }
@@ -254,21 +263,27 @@ impl NffReader {
         let (base, top) = (DVec3::new(x, y, z), DVec3::new(top_x, top_y, top_z));
         let material = self.material(span);
         if radius < 0.0 || top_radius < 0.0 {
-            self.draft.unsupported(span, Message::InsideOnly, Message::LeftOut);
-            return;
+            if radius > 0.0 || top_radius > 0.0 {
+                return self.draft.error(span, Message::MixedRadii);
+            }
+            self.draft.warn(span, Message::InsideOnly);
+        } else {
+            self.one_sided.get_or_insert(span.clone());
         }
-        self.draft.unsupported(span, Message::OpenCone, Message::IsClosed);
+        let (radius, top_radius) = (radius.abs(), top_radius.abs());
         let height = base.distance(top);
         // An apex is above.
         let (base, top, radius, top_radius) =
             if radius > 0.0 { (base, top, radius, top_radius) } else { (top, base, top_radius, radius) };
-        let shape = if radius == top_radius {
-            Shape::Cylinder { radius, height }
+        let shape = BodyShape::Parametric(if radius == top_radius {
+            ParametricShape::OpenCylinder(OpenCylinder { radius, height })
         } else {
-            Shape::Cone { radius, top_radius, height }
-        };
-        let placement = Placement { anchor: Anchor::Axis { base, top }, scale: DVec3::ONE };
-        self.draft.body(Body { shape, placement, material, ..Body::default() }, span);
+            ParametricShape::OpenCone(OpenCone { radius, top_radius, height })
+        });
+        let turn = DQuat::from_rotation_arc(DVec3::Y, (top - base).normalize_or(DVec3::Y));
+        let anchor = Anchor::Frame { position: base, rotation_degrees: rotation_degrees(turn) };
+        let placement = Placement { anchor, scale: DVec3::ONE };
+        self.draft.body(Body { placement, material, ..Body::of_shape(shape) }, span);
     }
 
     /// `p count` or `pp count`, then the corners, with normals in the latter.
@@ -286,14 +301,37 @@ impl NffReader {
             self.draft.error(span, Message::PolygonCount { most: MOST_CORNERS.to_string() });
             return;
         }
+        let mut corners = Vec::new();
         for _ in 0..count as usize {
             let corner = rest.next().unwrap_or_default();
             let place = corner.first().map_or(span, |word| &word.span).clone();
-            if self.all_numbers(&corner, record, &[numbers_of_corner], &place).is_none() {
+            let Some(numbers) = self.all_numbers(&corner, record, &[numbers_of_corner], &place) else {
                 return;
+            };
+            corners.extend(numbers.first_chunk().copied().map(DVec3::from_array));
+        }
+        if numbers_of_corner == 6 {
+            self.draft.unsupported(span, Message::NoNormals, Message::IsFlat);
+        }
+        let material = self.material(span);
+        self.one_sided.get_or_insert(span.clone());
+        if let &[a, b, c] = corners.as_slice() {
+            let (shape, placement) = triangle_at([a, b, c]);
+            self.draft.body(Body { placement, material, ..Body::of_shape(shape) }, span);
+            return;
+        }
+        let middle = corners.iter().sum::<DVec3>() / corners.len().max(1) as f64;
+        let own: Vec<DVec3> = corners.iter().map(|corner| corner - middle).collect();
+        match Expansion::convex_polygon(&own) {
+            Some(Expansion { shape, parts }) => {
+                let placement = Placement::at(middle);
+                self.draft.body(Body { shape, parts, placement, material, ..Body::default() }, span);
+            }
+            None => {
+                let most = (Shape::MAX_PARTS - 2).to_string();
+                self.draft.unsupported(span, Message::NoPolygon { most }, Message::LeftOut);
             }
         }
-        self.draft.unsupported(span, Message::NoPolygons, Message::LeftOut);
     }
 
     fn finish(mut self, text: &str) -> Result<ImportedScene, Diagnostics> {
@@ -301,6 +339,9 @@ impl NffReader {
         match &self.view {
             Some(span) => draft.note(&span.clone(), Message::LightsAreCodes, Some(Message::ToneCurveHelp)),
             None => draft.error(&(0..0), Message::NoView),
+        }
+        if let Some(span) = &self.one_sided {
+            draft.note(span, Message::BothSides, None);
         }
         if let Some((_, span)) = self.colorless.first() {
             // Haines: with n lights each has the intensity √n / n.

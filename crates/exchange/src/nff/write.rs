@@ -1,6 +1,9 @@
 //! Writing NFF.
 
-use catoptric_scene::{Color, Scene, Shape};
+use catoptric_scene::{
+    Body, Color, OpenCone, OpenCylinder, ParametricShape, Rectangle, Scene, Shape, Triangle,
+};
+use glam::DVec3;
 
 use crate::message::Message;
 use crate::options::DEFAULT_SIZE;
@@ -28,13 +31,9 @@ pub(crate) fn write(scene: &Scene, options: &ExportOptions) -> SceneText {
     let has_ambient_light = scene.environment.ambient != Color::BLACK;
     let mut last_fill = String::new();
     for (title, body, material) in out.bodies(scene) {
-        let scale = body.placement.scale;
-        let radius = match body.shape {
-            Shape::Sphere { radius } if scale.x == scale.y && scale.y == scale.z => radius * scale.x,
-            _ => {
-                out.lose(Message::LosesShape { title });
-                continue;
-            }
+        let Some(record) = record(body) else {
+            out.lose(Message::LosesShape { title });
+            continue;
         };
         for (is_lost, message) in [
             (material.ambient > 0.0 && has_ambient_light, Message::LosesBodyAmbient { title: title.clone() }),
@@ -57,7 +56,42 @@ pub(crate) fn write(scene: &Scene, options: &ExportOptions) -> SceneText {
             out.line(&fill);
             last_fill = fill;
         }
-        out.line(&format!("s {} {}", three(body.placement.origin(), " "), decimal(radius)));
+        out.line(&record);
     }
     out
+}
+
+/// The lines of a body, if there are any for it.
+fn record(body: &Body) -> Option<String> {
+    let (frame, scale) = (body.placement.world_from_body(), body.placement.scale);
+    let is_round = scale.x == scale.z;
+    let ends = |[radius, top_radius]: [f64; 2], height: f64| {
+        let line = |y: f64, radius: f64| {
+            format!("{} {}", three(frame.transform_point3(DVec3::Y * y), " "), decimal(radius * scale.x))
+        };
+        format!("c\n{}\n{}", line(0.0, radius), line(height, top_radius))
+    };
+    let polygon = |corners: &[DVec3]| {
+        let corners =
+            corners.iter().map(|corner| format!("\n{}", three(frame.transform_point3(*corner), " ")));
+        format!("p {}{}", corners.len(), corners.collect::<String>())
+    };
+    match (body.shape, body.form().parametric()) {
+        (Shape::Sphere { radius }, _) if is_round && scale.x == scale.y => {
+            Some(format!("s {} {}", three(frame.translation, " "), decimal(radius * scale.x)))
+        }
+        (_, Some(&ParametricShape::OpenCylinder(OpenCylinder { radius, height }))) if is_round => {
+            Some(ends([radius, radius], height))
+        }
+        (_, Some(&ParametricShape::OpenCone(OpenCone { radius, top_radius, height }))) if is_round => {
+            Some(ends([radius, top_radius], height))
+        }
+        (_, Some(&ParametricShape::Triangle(Triangle { a, b, c }))) => Some(polygon(&[a, b, c])),
+        (_, Some(&ParametricShape::Rectangle(Rectangle { width, length }))) => {
+            let [x, z] = [0.5 * width, 0.5 * length];
+            let corners = [[-x, z], [x, z], [x, -z], [-x, -z]];
+            Some(polygon(&corners.map(|[x, z]| DVec3::new(x, 0.0, z))))
+        }
+        _ => None,
+    }
 }

@@ -198,8 +198,8 @@ fn sheared_spheres_are_ellipsoids_and_sheared_cubes_are_refused() {
 fn errors_have_their_places_and_come_all_at_once() {
     for (rest, expected) in [
         ("- add: spere\n", "8:8: error: there is no shape, and no definition, called `spere`"),
-        ("- add: cylinder\n", "8:8: error: an endless `cylinder` is not drawn"),
-        ("- add: cylinder\n  min: 0\n  max: 1\n", "8:8: error: a `cylinder` with open ends is not drawn"),
+        ("- add: smooth-triangle\n  p1: [0, 0, 0]\n", "8:8: error: `smooth-triangle` is not drawn"),
+        ("- add: triangle\n  p1: [0, 0, 0]\n  p2: [0, 1]\n", "8:3: error: `triangle` lacks `p3`"),
         (
             "- add: sphere\n  size: 3\n- add: cube\n  shadow: false\n",
             "9:3: error: `sphere` has no key `size`\n11:11: error: a body without a shadow is not drawn",

@@ -17,12 +17,12 @@ const SEEDS: [(ForeignFormat, &str); 3] = [
          - add: light\n  at: [1, 2, 3]\n  intensity: [1, 1, 1]\n- define: m\n  value: &x\n    color: [1, 0.5, 0]\n    reflective: 0.2\n\
          - define: n\n  extend: m\n  value:\n    pattern:\n      type: checkers\n      colors: [[0, 0, 0], [1, 1, 1]]\n      transform: [[scale, 2, 2, 2]]\n\
          - define: t\n  value:\n  - [rotate-x, 1.5]\n  - [shear, 1, 0, 0, 0, 0, 0]\n- add: group\n  transform: [t]\n  children:\n  - add: sphere\n    material: n\n  - add: cube\n    material: *x\n\
-         - add: cone\n  min: -1\n  max: 2\n  closed: true\n  shadow: false\n",
+         - add: cone\n  min: -1\n  max: 2\n  closed: true\n  shadow: false\n- add: cylinder\n  min: 0\n- add: triangle\n  p1: [0, 0, 0]\n  p2: [1, 0, 0]\n  p3: [0, 1, 0]\n",
     ),
     (
         ForeignFormat::Nff,
         "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 45\nhither 1\nresolution 8 8\nb 0.1 0.2 0.3\nl 0 4 4\nl 1 1 1 1 0 1\n\
-         f 1 0.5 0 0.5 0 1 0 0\ns 0 0 0 1\nc\n0 0 0 1\n0 1 0 0.5\np 3\n0 0 0\n1 0 0\n0 1 0\npp 3\n0 0 0 0 1 0\n1 0 0 0 1 0\n0 1 0 0 1 0\n",
+         f 1 0.5 0 0.5 0 1 0 0\ns 0 0 0 1\nc\n0 0 0 1\n0 1 0 0.5\np 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\npp 3\n0 0 0 0 1 0\n1 0 0 0 1 0\n0 1 0 0 1 0\n",
     ),
 ];
 

@@ -15,3 +15,5 @@ mod minirt;
 mod nff;
 mod patterns;
 mod round_trips;
+mod spd;
+mod surfaces;

@@ -143,7 +143,11 @@ fn the_schools_errors_are_refused_with_words() {
         ("A 1 0,0,0\nC 0,0,5 0,0,-1 60\nsp 0,0,0 1,1,1", "3:1: error: `sp` lacks the diameter"),
         ("A 1 0,0,0\nC 0,0,5 0,0,-1 60\nqq 0,0,0", "3:1: error: there is no element `qq`"),
         ("A 1 0,0,0 7\nC 0,0,5 0,0,-1 60", "1:11: error: `A` has more values than this"),
-        ("A 1 0,0,0\nC 0,0,5 0,0,-1 60\ntr 0,0,0 0,1,0 1,0,0 9,9,9", "3:1: error: triangles are not drawn"),
+        (
+            "A 1 0,0,0\nC 0,0,5 0,0,-1 60\ntr 0,0,0 1,1,1 2,2,2 9,9,9",
+            "3:1: error: body 1: the corners `a`, `b` and `c` lie on a line",
+        ),
+        ("A 1 0,0,0\nC 0,0,5 0,0,-1 60\ntr 0,0,0 1,1,1 9,9,9", "3:1: error: `tr` lacks"),
         (
             "A 1 0,0,0\nC 0,0,2e9 0,0,-1 60",
             "2:1: error: the camera: the third number of `position` is 2e9, but must be at most 1e9",
@@ -157,7 +161,7 @@ fn the_schools_errors_are_refused_with_words() {
 
 #[test]
 fn what_is_not_drawn_can_be_left_out() {
-    let text = "A 1 0,0,0\nC 0,0,5 0,0,-1 60\ntr 0,0,0 0,1,0 1,0,0 9,9,9\nsp 0,0,0 1 1,1,1 glow=3\n\
+    let text = "A 1 0,0,0\nC 0,0,5 0,0,-1 60\nqq 0,0,0 9,9,9\nsp 0,0,0 1 1,1,1 glow=3\n\
                 W 3 4\nL 0,0,9 3 1,1,1 8\n";
     assert_eq!(bad(FORMAT, text).lines().count(), 5);
     let found = good(FORMAT, text, &ImportOptions { is_approximate: true, ..ImportOptions::default() });

@@ -1,7 +1,7 @@
 //! NFF: known answers and errors.
 
 use catoptric_exchange::{ForeignFormat, ImportOptions};
-use catoptric_scene::Shape;
+use catoptric_scene::{Body, BodyShape, OpenCone, OpenCylinder, ParametricShape, Shape, ShapeKind};
 
 use crate::common::{assert_light, bad, good, pixel};
 
@@ -23,27 +23,42 @@ fn a_pixel_has_the_light_of_the_formula() {
 }
 
 #[test]
-fn open_cones_and_polygons_are_refused_or_replaced() {
-    let text =
-        format!("{VIEW}f 1 1 1 1 0 1 0 0\nc\n0 0 0 0.5\n0 2 0 1\np 3\n0 0 0\n1 0 0\n0 1 0\ns 0 0 0 1\n");
-    let found = bad(FORMAT, &text);
-    assert_eq!(
-        found,
-        "10:1: error: cones and cylinders of NFF are open, and are not drawn\n13:1: error: polygons are not drawn"
+fn cones_and_polygons_are_surfaces() {
+    let text = format!(
+        "{VIEW}f 1 1 1 1 0 1 0 0\nc\n0 0 0 0.5\n0 2 0 1\np 3\n0 0 0\n1 0 0\n0 1 0\ns 0 0 0 1\n\
+         c\n0 0 0 0\n3 0 0 2\nc 0 0 0 -1 0 2 0 -1\np 4\n0 0 0\n1 0 0\n1 0 1\n0 0 1\n"
     );
-    let found = good(FORMAT, &text, &ImportOptions { is_approximate: true, ..ImportOptions::default() });
-    let shapes: Vec<_> = found.scene.bodies.iter().map(|body| body.shape).collect();
-    assert_eq!(
-        shapes,
-        [Shape::Cone { radius: 0.5, top_radius: 1.0, height: 2.0 }, Shape::Sphere { radius: 1.0 }]
-    );
+    let found = good(FORMAT, &text, &ImportOptions::default());
+    let shapes: Vec<_> = found.scene.bodies.iter().map(Body::body_shape).collect();
+    let parametric = |shape: ParametricShape| BodyShape::Parametric(shape);
+    let open_cone = |radius, top_radius, height| {
+        parametric(ParametricShape::OpenCone(OpenCone { radius, top_radius, height }))
+    };
+    assert_eq!(shapes[0], open_cone(0.5, 1.0, 2.0));
+    assert_eq!(shapes[1].kind(), ShapeKind::Triangle);
+    assert_eq!(shapes[2], BodyShape::Plain(Shape::Sphere { radius: 1.0 }));
+    assert_eq!(shapes[3], open_cone(2.0, 0.0, 3.0), "an apex is above");
+    let cylinder = ParametricShape::OpenCylinder(OpenCylinder { radius: 1.0, height: 2.0 });
+    assert_eq!(shapes[4], parametric(cylinder));
+    assert_eq!((shapes[5].kind(), found.scene.bodies[5].parts.len()), (ShapeKind::Surface, 6));
+    let said = found.report.to_string();
+    assert!(said.contains("drawn from both"), "{said}");
 }
 
 #[test]
-fn cones_may_stand_on_one_line() {
-    let text = format!("{VIEW}f 1 1 1 1 0 1 0 0\nc 0 0 0 1 0 2 0 1\ns 0 0 0 1\n");
-    let found = good(FORMAT, &text, &ImportOptions { is_approximate: true, ..ImportOptions::default() });
-    assert_eq!(found.scene.bodies.to_vec()[0].shape, Shape::Cylinder { radius: 1.0, height: 2.0 });
+fn what_polygons_and_cones_cannot_be_is_said() {
+    for (rest, expected) in [
+        ("p 4\n0 0 0\n4 0 0\n1 1 0\n0 4 0\n", "10:1: error: only flat polygons without notches"),
+        ("p 4\n0 0 0\n4 0 0\n4 4 1\n0 4 0\n", "10:1: error: only flat polygons without notches"),
+        ("p 3\n0 0 0\n1 0 0\n2 0 0\n", "10:1: error: body 1: the corners"),
+        ("pp 3\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n", "10:1: error: the normals of a patch"),
+        ("c 0 0 0 -1 0 2 0 1\n", "10:1: error: one radius of the cone is negative"),
+        ("c 0 0 0 1 0 0 0 1\n", "10:1: error: body 1: "),
+        ("c 0 0 0 0 0 1 0 0\n", "10:1: error: body 1: "),
+    ] {
+        let found = bad(FORMAT, &format!("{VIEW}f 1 1 1 1 0 1 0 0\n{rest}"));
+        assert!(found.starts_with(expected), "{rest}\n{found}");
+    }
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use catoptric_gpu::Gpu;
 use catoptric_scene::{
     Anchor, Attenuation, Body, BodyPart, Color, Dielectric, Light, MaterialChoice, Pattern, Phong, Placement,
-    Projection, Scene, Shape, SolidTexture,
+    Projection, Scene, Shape, ShapeKind, SolidTexture,
 };
 use glam::DVec3;
 
@@ -150,6 +150,49 @@ fn joined_surfaces_that_coincide_are_those_of_the_cpu() {
         seam,
     ];
     let faults = faults_of(&card, "joined surfaces that coincide", &lit(bodies));
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+/// Surfaces without inside: of all shapes, cut and not, of materials that reflect, let light pass and absorb it, and members
+/// of groups.
+#[test]
+fn surfaces_are_those_of_the_cpu() {
+    let Some(card) = card("surfaces_are_those_of_the_cpu") else { return };
+    let parametric = |shape: ShapeKind, at: DVec3, material: MaterialChoice| {
+        let rotation_degrees = DVec3::new(25.0, 10.0, 35.0);
+        let anchor = Anchor::Frame { position: at, rotation_degrees };
+        let placement = Placement { anchor, scale: DVec3::splat(1.2) };
+        Body { placement, material, ..Body::of_shape(shape.body_shape()) }
+    };
+    let attenuation = Attenuation { color: Color { r: 0.9, g: 0.5, b: 0.1 }, distance: 0.5 };
+    let glass = MaterialChoice::own(Dielectric { attenuation, ..Dielectric::default() });
+    let clear = || phong([0.9, 0.6, 0.3], 0.1, 0.7);
+    let ball = part(Shape::Sphere { radius: 0.8 }, DVec3::ZERO);
+    let slab = part(Shape::Cube { size: DVec3::new(2.0, 0.8, 2.0) }, DVec3::new(0.0, 0.1, 0.0));
+    let hole = part(Shape::Cylinder { radius: 0.4, height: 4.0 }, DVec3::new(0.0, -2.0, 0.0));
+    let cut = BodyPart { parts: vec![slab, hole], ..part(Shape::Difference, DVec3::ZERO) };
+    let bodies = vec![
+        parametric(ShapeKind::OpenCylinder, DVec3::new(-1.6, 0.2, 0.0), phong([0.6; 3], 0.5, 0.0)),
+        parametric(ShapeKind::OpenCone, DVec3::new(0.0, -1.4, 0.6), clear()),
+        parametric(ShapeKind::Disc, DVec3::new(-0.4, 0.9, -0.5), phong([0.3, 0.7, 0.4], 0.0, 0.0)),
+        parametric(ShapeKind::Rectangle, DVec3::new(1.5, 0.6, -0.8), clear()),
+        parametric(ShapeKind::Triangle, DVec3::new(-1.2, -1.2, 0.9), phong([0.8, 0.4, 0.2], 0.0, 0.0)),
+        parametric(ShapeKind::OpenCylinder, DVec3::new(1.0, -0.9, 0.9), glass),
+        joined(Shape::Surface, DVec3::new(0.6, 0.8, 0.4), vec![ball, cut], phong([0.7; 3], 0.3, 0.0)),
+        joined(
+            Shape::Group,
+            DVec3::new(-2.2, 1.2, -0.6),
+            vec![BodyPart {
+                shape: Shape::Surface,
+                parts: vec![part(Shape::PARABOLOID, DVec3::ZERO)],
+                ..BodyPart::default()
+            }],
+            clear(),
+        ),
+    ];
+    let mut scene = lit(bodies);
+    scene.tracing.generations = 4;
+    let faults = faults_of(&card, "surfaces", &scene);
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 

@@ -191,9 +191,15 @@ fn body_in_words(body: usize, scene: &Scene, language: Language) -> String {
         (Language::Russian, ShapeKind::Bowl) => "чаша",
         (Language::Russian, ShapeKind::Prism) => "призма",
         (Language::Russian, ShapeKind::Wedge) => "клин",
+        (Language::Russian, ShapeKind::OpenCylinder) => "открытый цилиндр",
+        (Language::Russian, ShapeKind::OpenCone) => "открытый конус",
+        (Language::Russian, ShapeKind::Disc) => "диск",
+        (Language::Russian, ShapeKind::Rectangle) => "прямоугольник",
+        (Language::Russian, ShapeKind::Triangle) => "треугольник",
         (Language::Russian, ShapeKind::Union) => "объединение",
         (Language::Russian, ShapeKind::Intersection) => "пересечение",
         (Language::Russian, ShapeKind::Difference) => "разность",
+        (Language::Russian, ShapeKind::Surface) => "поверхность",
         (Language::Russian, ShapeKind::Group) => "группа",
     };
     format!("{shape} {}", body + 1)

@@ -6,24 +6,36 @@
 //! its extent and its parts.
 
 mod bowl;
+mod disc;
 mod lens;
 mod mirror_dish;
+mod open_cone;
+mod open_cylinder;
+mod polygon;
 mod prism;
+mod rectangle;
 mod ring;
+mod triangle;
 mod tube;
 mod wedge;
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 
 use super::{BodyPart, Form};
-use crate::placement::Placement;
+use crate::frame::rotation_degrees;
+use crate::placement::{Anchor, Placement};
 use crate::shape::{Shape, ShapeKind};
 
 pub use bowl::Bowl;
+pub use disc::Disc;
 pub use lens::{Lens, LensCurvature};
 pub use mirror_dish::{DishDepth, DishProfile, MirrorDish};
+pub use open_cone::OpenCone;
+pub use open_cylinder::OpenCylinder;
 pub use prism::Prism;
+pub use rectangle::Rectangle;
 pub use ring::Ring;
+pub use triangle::Triangle;
 pub use tube::Tube;
 pub use wedge::Wedge;
 
@@ -44,6 +56,16 @@ pub enum ParametricShape {
     Prism(Prism),
     /// A ramp about the origin: the half of a box below a diagonal plane.
     Wedge(Wedge),
+    /// The curved surface of a cylinder from the origin along +Y.
+    OpenCylinder(OpenCylinder),
+    /// The curved surface of a cone or frustum from the origin along +Y.
+    OpenCone(OpenCone),
+    /// A flat disc about the origin; its normal is +Y.
+    Disc(Disc),
+    /// A flat rectangle about the origin; its normal is +Y.
+    Rectangle(Rectangle),
+    /// A flat triangle.
+    Triangle(Triangle),
 }
 
 /// What a parametric shape is asked for, in its own frame.
@@ -58,6 +80,11 @@ trait Parametric {
 
     /// Sets the number that scene files call `key`. Does nothing if the shape has none.
     fn set_number(&mut self, key: &str, value: f64);
+
+    /// The three numbers that scene files call `key`, if the shape has them.
+    fn vector_mut(&mut self, _key: &str) -> Option<&mut DVec3> {
+        None
+    }
 
     /// The first rule between its sizes that it breaks. Each size is within the limits of its key.
     fn broken_size(&self) -> Option<BrokenSize> {
@@ -95,6 +122,11 @@ impl Expansion {
         Self { shape: Shape::Difference, parts: [whole].into_iter().chain(cutters).collect() }
     }
 
+    /// The surface of `first` as far as it lies in all of `cutters`.
+    fn surface(first: BodyPart, cutters: impl IntoIterator<Item = BodyPart>) -> Self {
+        Self { shape: Shape::Surface, parts: [first].into_iter().chain(cutters).collect() }
+    }
+
     /// The expansion as one part of another.
     fn into_part(self) -> BodyPart {
         BodyPart { shape: self.shape, parts: self.parts, ..BodyPart::default() }
@@ -104,6 +136,14 @@ impl Expansion {
 /// A simple part, moved along Y.
 fn part(shape: Shape, y: f64) -> BodyPart {
     BodyPart { shape, placement: Placement::at(DVec3::Y * y), ..BodyPart::default() }
+}
+
+/// The half-space below the plane through a point with this normal, which need not be of length 1.
+fn half_space(at: DVec3, normal: DVec3) -> BodyPart {
+    let turn = DQuat::from_rotation_arc(DVec3::Y, normal.normalize_or(DVec3::Y));
+    let anchor = Anchor::Frame { position: at, rotation_degrees: rotation_degrees(turn) };
+    let placement = Placement { anchor, ..Placement::default() };
+    BodyPart { shape: Shape::Plane, placement, ..BodyPart::default() }
 }
 
 /// A cylinder about the axis Y between two heights.
@@ -142,6 +182,8 @@ pub(crate) enum SizeFault {
     BowlClosed { least: f64, most: f64 },
     /// The ball of a face is not wider than the rim.
     FaceTooNarrow { radius: f64 },
+    /// The corners of a triangle lie on a line.
+    FlatTriangle,
     /// The faces of a lens meet before the rim.
     LensTooThin { least: f64 },
     /// The ball of a face ends within the lens.
@@ -181,6 +223,11 @@ impl ParametricShape {
             Self::Bowl(bowl) => bowl,
             Self::Prism(prism) => prism,
             Self::Wedge(wedge) => wedge,
+            Self::OpenCylinder(open_cylinder) => open_cylinder,
+            Self::OpenCone(open_cone) => open_cone,
+            Self::Disc(disc) => disc,
+            Self::Rectangle(rectangle) => rectangle,
+            Self::Triangle(triangle) => triangle,
         }
     }
 
@@ -193,6 +240,11 @@ impl ParametricShape {
             Self::Bowl(bowl) => bowl,
             Self::Prism(prism) => prism,
             Self::Wedge(wedge) => wedge,
+            Self::OpenCylinder(open_cylinder) => open_cylinder,
+            Self::OpenCone(open_cone) => open_cone,
+            Self::Disc(disc) => disc,
+            Self::Rectangle(rectangle) => rectangle,
+            Self::Triangle(triangle) => triangle,
         }
     }
 
@@ -206,6 +258,11 @@ impl ParametricShape {
             Self::Bowl(_) => ShapeKind::Bowl,
             Self::Prism(_) => ShapeKind::Prism,
             Self::Wedge(_) => ShapeKind::Wedge,
+            Self::OpenCylinder(_) => ShapeKind::OpenCylinder,
+            Self::OpenCone(_) => ShapeKind::OpenCone,
+            Self::Disc(_) => ShapeKind::Disc,
+            Self::Rectangle(_) => ShapeKind::Rectangle,
+            Self::Triangle(_) => ShapeKind::Triangle,
         }
     }
 
@@ -219,6 +276,11 @@ impl ParametricShape {
             ShapeKind::Bowl => Self::Bowl(Bowl::default()),
             ShapeKind::Prism => Self::Prism(Prism::default()),
             ShapeKind::Wedge => Self::Wedge(Wedge::default()),
+            ShapeKind::OpenCylinder => Self::OpenCylinder(OpenCylinder::default()),
+            ShapeKind::OpenCone => Self::OpenCone(OpenCone::default()),
+            ShapeKind::Disc => Self::Disc(Disc::default()),
+            ShapeKind::Rectangle => Self::Rectangle(Rectangle::default()),
+            ShapeKind::Triangle => Self::Triangle(Triangle::default()),
             _ => return None,
         })
     }
@@ -233,19 +295,16 @@ impl ParametricShape {
         self.as_parametric_mut().set_number(key, value);
     }
 
-    /// The three numbers that scene files call `key`: the `size` of a wedge.
+    /// The three numbers that scene files call `key`: the `size` of a wedge, the corners of a triangle.
     pub fn vector(&self, key: &str) -> Option<DVec3> {
-        match self {
-            Self::Wedge(wedge) if key == "size" => Some(wedge.size),
-            _ => None,
-        }
+        let mut shape = *self;
+        shape.as_parametric_mut().vector_mut(key).copied()
     }
 
     /// Sets the three numbers that scene files call `key`. Does nothing if the shape has none.
     pub fn set_vector(&mut self, key: &str, value: DVec3) {
-        match self {
-            Self::Wedge(wedge) if key == "size" => wedge.size = value,
-            _ => {}
+        if let Some(vector) = self.as_parametric_mut().vector_mut(key) {
+            *vector = value;
         }
     }
 
@@ -291,14 +350,18 @@ impl ParametricShape {
     /// Whether all its sizes are numbers; comparisons say nothing of others.
     fn is_finite(&self) -> bool {
         let numbers = SIZES.iter().chain(&["ior"]).filter_map(|key| self.number(key));
-        numbers.chain(self.vector("size").into_iter().flat_map(|size| size.to_array())).all(f64::is_finite)
+        let vectors = VECTORS.iter().filter_map(|key| self.vector(key));
+        numbers.chain(vectors.flat_map(|vector| vector.to_array())).all(f64::is_finite)
     }
 }
 
 /// The sizes that are lengths, by their keys.
-const SIZES: [&str; 8] = [
+const SIZES: [&str; 11] = [
     "radius",
     "inner_radius",
+    "top_radius",
+    "width",
+    "length",
     "thickness",
     "height",
     "focal_length",
@@ -306,6 +369,9 @@ const SIZES: [&str; 8] = [
     "front_radius",
     "back_radius",
 ];
+
+/// The sizes and corners that are three lengths, by their keys.
+const VECTORS: [&str; 4] = ["size", "a", "b", "c"];
 
 /// The shape of a body or a part as files and inspectors say it: a simple one, a kind of whole, or a parametric one.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -406,8 +472,10 @@ impl BodyShape {
                         shape.set_number(key, size * factor);
                     }
                 }
-                if let Some(size) = shape.vector("size") {
-                    shape.set_vector("size", size * factor);
+                for key in VECTORS {
+                    if let Some(vector) = shape.vector(key) {
+                        shape.set_vector(key, vector * factor);
+                    }
                 }
                 Self::Parametric(shape)
             }
@@ -423,7 +491,18 @@ impl BodyShape {
                 wedge.size = DVec3::new(2.0 * radius, height, 2.0 * radius);
                 Self::Parametric(sized)
             }
-            (ParametricShape::Tube(_) | ParametricShape::Prism(_), Some(own)) => {
+            (ParametricShape::Rectangle(rectangle), _) => {
+                (rectangle.width, rectangle.length) = (2.0 * radius, 2.0 * radius);
+                Self::Parametric(sized)
+            }
+            (ParametricShape::Triangle(_), _) => shape.scaled(2.0 * radius),
+            (
+                ParametricShape::Tube(_)
+                | ParametricShape::Prism(_)
+                | ParametricShape::OpenCylinder(_)
+                | ParametricShape::OpenCone(_),
+                Some(own),
+            ) => {
                 let mut shape = shape.scaled(radius / own);
                 shape.set_number("height", height);
                 shape

@@ -370,12 +370,17 @@ fn shape(fields: &mut Fields<'_, '_, '_>) -> Result<BodyShape, ()> {
                 }
             }
             // The ends of the axis belong to the place.
+            Kind::Vector(_) if !["base", "top"].contains(&key.name) => {
+                if let Some(vector) = fields.vector(key.name) {
+                    shape.set_vector(key.name, vector);
+                }
+            }
             _ => {}
         }
     }
     match rules::sizes(&shape) {
         Some(broken) => {
-            report(fields, broken, &["radius", "thickness", "shape"]);
+            report(fields, broken, &["radius", "thickness", "a", "b", "shape"]);
             Ok(kind.body_shape())
         }
         None => Ok(shape),

@@ -20,7 +20,7 @@ pub const VERSIONS: &[&str] = &["catoptric/1"];
 /// The shapes that base and top points can place.
 const UPRIGHT: &[&str] = &["cylinder", "cone", "paraboloid"];
 /// The shapes with parts.
-const COMPOUND: &[&str] = &["union", "intersection", "difference", "group"];
+const COMPOUND: &[&str] = &["union", "intersection", "difference", "surface", "group"];
 /// What `base` and `top` say, so that nothing else may.
 pub(crate) const SAID_BY_AXIS: &[&str] = &["position", "rotation", "height", "focal_length"];
 const WHITE: Default = Default::Vector([1.0; 3]);
@@ -205,6 +205,11 @@ pub static BODY: TableSpec = TableSpec {
         INNER_RADIUS,
         TOP_RADIUS,
         SIZE,
+        WIDTH,
+        LENGTH,
+        A,
+        B,
+        C,
         THICKNESS,
         HEIGHT,
         PROFILE,
@@ -248,6 +253,11 @@ pub static PART: TableSpec = TableSpec {
         INNER_RADIUS,
         TOP_RADIUS,
         SIZE,
+        WIDTH,
+        LENGTH,
+        A,
+        B,
+        C,
         THICKNESS,
         HEIGHT,
         PROFILE,
@@ -283,7 +293,7 @@ const INSTANCE_OF: KeySpec = KeySpec::new(
 )
 .excluding(&[
     "shape", "sides", "radius", "inner_radius", "top_radius", "size", "thickness", "height", "profile", "focal_length",
-    "ior", "curvature_radius", "front_radius", "back_radius", "base", "top", "parts",
+    "ior", "curvature_radius", "front_radius", "back_radius", "width", "length", "a", "b", "c", "base", "top", "parts",
 ]);
 const SHAPE: KeySpec = KeySpec::new("shape", Kind::Choice(&SHAPE_NAMES), "the shape of the body")
     .or(Default::Text(ShapeKind::Sphere.key()))
@@ -312,10 +322,27 @@ const RADIUS: KeySpec = KeySpec::new(
     ("ring", 0.5),
     ("bowl", 0.5),
     ("prism", 0.5),
+    ("open-cylinder", 0.5),
+    ("open-cone", 0.5),
+    ("disc", 0.5),
 ]))
 .only(
     "shape",
-    &["sphere", "cylinder", "cone", "paraboloid", "lens", "mirror-dish", "tube", "ring", "bowl", "prism"],
+    &[
+        "sphere",
+        "cylinder",
+        "cone",
+        "paraboloid",
+        "lens",
+        "mirror-dish",
+        "tube",
+        "ring",
+        "bowl",
+        "prism",
+        "open-cylinder",
+        "open-cone",
+        "disc",
+    ],
 )
 .written();
 const INNER_RADIUS: KeySpec = KeySpec::new(
@@ -332,7 +359,7 @@ const TOP_RADIUS: KeySpec = KeySpec::new(
     "the radius of the upper cap, meters; 0 makes a pointed cone",
 )
 .or(Default::Number(0.0))
-.only("shape", &["cone"]);
+.only("shape", &["cone", "open-cone"]);
 const SIZE: KeySpec = KeySpec::new(
     "size",
     Kind::NumberOrVector(Limits::LENGTH),
@@ -341,6 +368,26 @@ const SIZE: KeySpec = KeySpec::new(
 .or(Default::Number(1.0))
 .only("shape", &["cube", "wedge"])
 .written();
+const WIDTH: KeySpec =
+    KeySpec::new("width", Kind::Number(Limits::LENGTH), "the length of a rectangle along X, meters")
+        .or(Default::Number(1.0))
+        .only("shape", &["rectangle"])
+        .written();
+const LENGTH: KeySpec =
+    KeySpec::new("length", Kind::Number(Limits::LENGTH), "the length of a rectangle along Z, meters")
+        .or(Default::Number(1.0))
+        .only("shape", &["rectangle"])
+        .written();
+const A: KeySpec = corner("a", "a corner of a triangle, meters", [-0.5, 0.0, 0.5]);
+const B: KeySpec = corner("b", "the corner of a triangle after `a`, meters", [0.5, 0.0, 0.5]);
+const C: KeySpec = corner("c", "the corner of a triangle after `b`, meters", [0.0, 0.0, -0.5]);
+/// A corner of a triangle.
+const fn corner(name: &'static str, meaning: &'static str, default: [f64; 3]) -> KeySpec {
+    KeySpec::new(name, Kind::Vector(Limits::PLACE), meaning)
+        .or(Default::Vector(default))
+        .only("shape", &["triangle"])
+        .written()
+}
 const THICKNESS: KeySpec = KeySpec::new(
     "thickness",
     Kind::Number(Limits::LENGTH),
@@ -360,8 +407,10 @@ const HEIGHT: KeySpec = KeySpec::new(
     ("paraboloid", 1.0),
     ("tube", 1.0),
     ("prism", 1.0),
+    ("open-cylinder", 1.0),
+    ("open-cone", 1.0),
 ]))
-.only("shape", &["cylinder", "cone", "paraboloid", "tube", "bowl", "prism"])
+.only("shape", &["cylinder", "cone", "paraboloid", "tube", "bowl", "prism", "open-cylinder", "open-cone"])
 .written();
 const PROFILE: KeySpec =
     KeySpec::new("profile", Kind::Choice(DishProfile::KEYS), "the curve of the face of a mirror dish")

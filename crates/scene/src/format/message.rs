@@ -5,6 +5,7 @@
 
 mod catalog;
 mod image;
+mod messages;
 mod phrase;
 mod size;
 mod syntax;

@@ -256,7 +256,10 @@ fn sizes<'a>(record: Record<'a>, form: &Form<'_>) -> Record<'a> {
                 _ => record.number(key.name, number),
             };
         } else if let Some(vector) = shape.vector(key.name) {
-            record = record.number_or_vector(key.name, vector);
+            record = match key.kind {
+                Kind::Vector(_) => record.vector(key.name, vector),
+                _ => record.number_or_vector(key.name, vector),
+            };
         } else if let Some(word) = shape.word(key.name) {
             record = record.text(key.name, word);
         }
@@ -327,8 +330,8 @@ mod tests {
             // A shape has the sizes that have a default for it, and no others.
             let depends = |key: &&KeySpec| matches!(key.when, When::Choice { .. }) && key.name != "parts";
             for key in keys::BODY.keys.iter().filter(depends) {
-                let is_given =
-                    key.default_number(Some(kind.key())).is_some() || matches!(key.default, Default::Text(_));
+                let is_given = key.default_number(Some(kind.key())).is_some()
+                    || matches!(key.default, Default::Text(_) | Default::Vector(_));
                 let has_default = key.belongs_to("shape", kind.key()) && is_given && key.requires.is_none();
                 assert_eq!(record.get(key.name).is_some(), has_default, "{} of {kind:?}", key.name);
             }

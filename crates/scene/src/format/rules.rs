@@ -3,7 +3,7 @@
 use glam::{DAffine3, DVec3};
 
 use crate::Scene;
-use crate::compound::{BodyShape, BrokenSize, Form, SizeFault};
+use crate::compound::{BodyPart, BodyShape, BrokenSize, Form, SizeFault};
 use crate::format::message::{Component, FoundValue, Message, Subject, size_fault, size_help};
 use crate::format::quote::quoted;
 use crate::format::spec::Limits;
@@ -106,7 +106,7 @@ fn depth(shape: &Shape) -> Option<BrokenRule> {
     })
 }
 
-/// What has parts needs one, and a union, an intersection or a difference has no more than rays can keep apart.
+/// What has parts needs one, surfaces stand alone, and what is joined has no more parts than rays can keep apart.
 pub(crate) fn parts(form: &Form<'_>) -> Option<BrokenRule> {
     let shape = form.shape.key();
     if !form.shape.is_compound() {
@@ -118,6 +118,9 @@ pub(crate) fn parts(form: &Form<'_>) -> Option<BrokenRule> {
             message: Message::NoParts { shape },
             help: Message::BeginPart,
         });
+    }
+    if let Some(broken) = surface(form) {
+        return Some(broken);
     }
     let mut count = 0_usize;
     // A part that has too many is named itself.
@@ -135,6 +138,25 @@ pub(crate) fn parts(form: &Form<'_>) -> Option<BrokenRule> {
     })
 }
 
+/// The surface of one simple shape is cut; what has no inside cannot be joined.
+fn surface(form: &Form<'_>) -> Option<BrokenRule> {
+    let is_compound = |part: &BodyPart| part.form().shape.is_compound();
+    let (message, help) = if form.shape == Shape::Surface && form.parts.first().is_some_and(is_compound) {
+        (Message::SurfaceOfJoined, Message::SurfaceOfSimple)
+    } else if form.shape != Shape::Group && form.parts.iter().any(|part| has_surface(&part.form())) {
+        (Message::SurfaceWithin { shape: form.shape.key() }, Message::SurfaceStandsAlone)
+    } else {
+        return None;
+    };
+    Some(BrokenRule { key: "parts", message, help })
+}
+
+/// Whether a form is a surface, or a group with one.
+fn has_surface(form: &Form<'_>) -> bool {
+    let is_group = form.shape == Shape::Group;
+    form.shape == Shape::Surface || is_group && form.parts.iter().any(|part| has_surface(&part.form()))
+}
+
 /// An instance needs another body, which must not need it, and there is an end to what instances can be.
 pub(crate) fn instance(fault: &InstanceFault) -> BrokenRule {
     let name = quoted(&fault.of);
@@ -147,6 +169,9 @@ pub(crate) fn instance(fault: &InstanceFault) -> BrokenRule {
         InstanceProblem::TooManyParts { shape, count } => {
             let (count, most) = (count.to_string(), Shape::MAX_PARTS.to_string());
             (Message::TooManyParts { shape: shape.key(), count, most }, Message::GroupHasMore)
+        }
+        InstanceProblem::SurfaceWithin { shape } => {
+            (Message::SurfaceWithin { shape: shape.key() }, Message::SurfaceStandsAlone)
         }
         InstanceProblem::TooMany { count } => {
             let most = Scene::MAX_INSTANCED.to_string();

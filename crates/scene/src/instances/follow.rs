@@ -38,6 +38,11 @@ pub(crate) enum InstanceProblem {
         /// How many it has.
         count: u64,
     },
+    /// A surface would be joined, which has no inside.
+    SurfaceWithin {
+        /// The kind of the whole.
+        shape: Shape,
+    },
     /// There are more than [`Scene::MAX_INSTANCED`] simple bodies.
     TooMany {
         /// How many there are.
@@ -45,11 +50,17 @@ pub(crate) enum InstanceProblem {
     },
 }
 
-/// How deep the parts of a body are nested, and how many simple ones there are.
+/// How deep the parts of a body are nested, how many simple ones there are, and whether it is a surface or a group with one.
 #[derive(Clone, Copy, Debug, Default)]
 struct PartCount {
     depth: usize,
     simple: u64,
+    has_surface: bool,
+}
+
+impl PartCount {
+    /// Of a simple body.
+    const SIMPLE: Self = Self { depth: 0, simple: 1, has_surface: false };
 }
 
 /// What instances take of a body.
@@ -276,7 +287,7 @@ impl<'s> InstanceFollower<'s> {
 
     fn count_of(&self, instance: &Instance) -> PartCount {
         let original = self.places.get(&instance.of).and_then(|place| self.originals.get(place));
-        original.map_or(PartCount { depth: 0, simple: 1 }, |original| original.count)
+        original.map_or(PartCount::SIMPLE, |original| original.count)
     }
 
     fn count_parts(
@@ -286,9 +297,9 @@ impl<'s> InstanceFollower<'s> {
         problem: &mut Option<InstanceProblem>,
     ) -> PartCount {
         if !shape.is_compound() {
-            return PartCount { depth: 0, simple: 1 };
+            return PartCount::SIMPLE;
         }
-        let mut count = PartCount { depth: 1, simple: 0 };
+        let mut count = PartCount { depth: 1, simple: 0, has_surface: shape == Shape::Surface };
         for part in parts {
             let inner = match &part.instance {
                 Some(instance) => self.count_of(instance),
@@ -296,6 +307,10 @@ impl<'s> InstanceFollower<'s> {
             };
             count.depth = count.depth.max(1 + inner.depth);
             count.simple = count.simple.saturating_add(inner.simple);
+            if inner.has_surface && shape != Shape::Group {
+                problem.get_or_insert(InstanceProblem::SurfaceWithin { shape });
+            }
+            count.has_surface |= inner.has_surface;
         }
         if shape != Shape::Group && count.simple > Shape::MAX_PARTS as u64 {
             problem.get_or_insert(InstanceProblem::TooManyParts { shape, count: count.simple });

@@ -111,7 +111,7 @@ fn an_address_without_a_value_says_why() {
         (
             "bodies.\"7\".radius",
             "`radius` is only for `shape` \"sphere\", \"cylinder\", \"cone\", \"paraboloid\", \"lens\", \"mirror-dish\", \"tube\", \
-             \"ring\", \"bowl\" or \"prism\"",
+             \"ring\", \"bowl\", \"prism\", \"open-cylinder\", \"open-cone\" or \"disc\"",
         ),
         ("bodies.rod.position", "`position` cannot stand beside `base`; `base` sets this already"),
         ("materials.glass.ior", "`ior` cannot stand beside `substance`"),
@@ -369,7 +369,8 @@ fn a_key_knows_its_unit_and_what_it_can_be() {
     assert_eq!(
         key("bodies.ball.shape").meaning(Language::English),
         "the shape of the body: \"sphere\", \"cube\", \"cylinder\", \"cone\", \"paraboloid\", \"plane\", \
-         \"lens\", \"mirror-dish\", \"tube\", \"ring\", \"bowl\", \"prism\", \"wedge\", \"union\", \"intersection\", \"difference\" or \"group\""
+         \"lens\", \"mirror-dish\", \"tube\", \"ring\", \"bowl\", \"prism\", \"wedge\", \"open-cylinder\", \"open-cone\", \"disc\", \
+         \"rectangle\", \"triangle\", \"union\", \"intersection\", \"difference\", \"surface\" or \"group\""
     );
     assert_eq!(
         key("camera.position.x").meaning(Language::Russian),

@@ -61,7 +61,7 @@ fn stands_alone(key: &KeySpec) -> bool {
 }
 
 /// How errors of rules between several values begin.
-const RULES: [&str; 15] = [
+const RULES: [&str; 18] = [
     "`target` and",
     "`up` is",
     "`base` and `top` are",
@@ -77,6 +77,9 @@ const RULES: [&str; 15] = [
     "this union has",
     "this intersection has",
     "this difference has",
+    "a surface has no inside",
+    "the first part of a surface",
+    "the corners `a`",
 ];
 
 /// Sets a random value of a key, and holds the scene against what must be true then.

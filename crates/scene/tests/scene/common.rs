@@ -270,6 +270,9 @@ fn parametric() -> impl Strategy<Value = BodyShape> {
             (ShapeKind::MirrorDish, 1) => set(&mut shape, &[("curvature_radius", 1.0 + share)]),
             (ShapeKind::Bowl, 0) => set(&mut shape, &[("height", 0.9 * share)]),
             (ShapeKind::Prism, sides) => set(&mut shape, &[("sides", f64::from(3 + sides))]),
+            (ShapeKind::OpenCone, 0) => set(&mut shape, &[("top_radius", share)]),
+            (ShapeKind::Rectangle, 0) => set(&mut shape, &[("width", share)]),
+            (ShapeKind::Triangle, 0) => shape.set_vector("a", DVec3::new(share, 1.0, 2.0)),
             (ShapeKind::Wedge, 0) => shape.set_vector("size", DVec3::new(share, 1.0, 2.0)),
             _ => {}
         }
@@ -295,18 +298,26 @@ fn part() -> impl Strategy<Value = BodyPart> {
     );
     let alone = prop_oneof![4 => simple, 1 => parametric];
     alone.prop_recursive(3, 12, 3, |inner| {
-        let shapes = vec![Shape::Union, Shape::Intersection, Shape::Difference, Shape::Group];
+        let shapes = vec![Shape::Union, Shape::Intersection, Shape::Difference, Shape::Surface, Shape::Group];
         let parts = proptest::collection::vec(inner, 1..4);
         (name(), proptest::sample::select(shapes), place(), lengths(), proptest::option::of(choice()), parts)
             .prop_map(|(name, shape, position, scale, material, parts)| BodyPart {
                 name,
-                shape,
+                shape: if can_be_joined(shape, &parts) { shape } else { Shape::Group },
                 placement: Placement { scale, ..Placement::at(position) },
                 material,
                 parts: unique(parts, |part| &mut part.name),
                 ..BodyPart::default()
             })
     })
+}
+
+/// Surfaces are of simple shapes, and stand alone.
+fn can_be_joined(shape: Shape, parts: &[BodyPart]) -> bool {
+    fn has_surface(part: &BodyPart) -> bool {
+        part.shape == Shape::Surface || part.shape == Shape::Group && part.parts.iter().any(has_surface)
+    }
+    !parts.iter().any(has_surface) && (shape != Shape::Surface || !parts[0].shape.is_compound())
 }
 
 fn body() -> BoxedStrategy<Body> {

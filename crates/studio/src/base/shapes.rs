@@ -18,9 +18,15 @@ pub(crate) const fn shape_name(shape: ShapeKind) -> &'static str {
         ShapeKind::Bowl => "name-bowl",
         ShapeKind::Prism => "name-prism",
         ShapeKind::Wedge => "name-wedge",
+        ShapeKind::OpenCylinder => "name-open-cylinder",
+        ShapeKind::OpenCone => "name-open-cone",
+        ShapeKind::Disc => "name-disc",
+        ShapeKind::Rectangle => "name-rectangle",
+        ShapeKind::Triangle => "name-triangle",
         ShapeKind::Union => "name-union",
         ShapeKind::Intersection => "name-intersection",
         ShapeKind::Difference => "name-difference",
+        ShapeKind::Surface => "name-surface",
         ShapeKind::Group => "name-group",
     }
 }
@@ -41,9 +47,15 @@ pub(crate) const fn shape_choice(shape: ShapeKind) -> &'static str {
         ShapeKind::Bowl => "shape-bowl",
         ShapeKind::Prism => "shape-prism",
         ShapeKind::Wedge => "shape-wedge",
+        ShapeKind::OpenCylinder => "shape-open-cylinder",
+        ShapeKind::OpenCone => "shape-open-cone",
+        ShapeKind::Disc => "shape-disc",
+        ShapeKind::Rectangle => "shape-rectangle",
+        ShapeKind::Triangle => "shape-triangle",
         ShapeKind::Union => "shape-union",
         ShapeKind::Intersection => "shape-intersection",
         ShapeKind::Difference => "shape-difference",
+        ShapeKind::Surface => "shape-surface",
         ShapeKind::Group => "shape-group",
     }
 }

@@ -281,11 +281,11 @@ mod tests {
                 other => panic!("{other:?}"),
             }
         };
-        let triangle = format!("{scene}tr 0,0,0 1,0,0 0,1,0 255,0,0\n");
-        let refusal = refused(&triangle, false);
+        let torus = format!("{scene}to 0,0,0 1,0,0 2 1 255,0,0\n");
+        let refusal = refused(&torus, false);
         assert!(refusal.is_approximable);
         let words = refusal.in_words(&texts, "a.rt".into());
-        for said in ["a.rt", "miniRT", "5:1: error: triangles are not drawn", "pproximately"] {
+        for said in ["a.rt", "miniRT", "5:1: error: there is no element `to`", "pproximately"] {
             assert!(words.contains(said), "{said}: {words}");
         }
         let opened = read(&path, true).unwrap();

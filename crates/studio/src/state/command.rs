@@ -19,10 +19,11 @@ use crate::state::images::ImageUse;
 use crate::state::layout::Pane;
 
 /// The acts that make one body of the selected ones.
-pub(crate) const JOINS: [Action; 4] = [
+pub(crate) const JOINS: [Action; 5] = [
     join(ShapeKind::Union),
     join(ShapeKind::Intersection),
     join(ShapeKind::Difference),
+    join(ShapeKind::Surface),
     join(ShapeKind::Group),
 ];
 

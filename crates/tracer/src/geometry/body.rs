@@ -257,6 +257,19 @@ impl RenderBody {
         }
     }
 
+    /// The lines, if the body is a half-space, that run within it along its surface: they never leave it.
+    #[inline(always)]
+    pub(crate) fn holds_parallel<R: Float>(
+        &self,
+        origin: Vector<R>,
+        direction: Vector<R>,
+    ) -> Option<R::Mask> {
+        let [_, up, _] = self.body_from_world;
+        let zero = origin.x.like(0.0);
+        let is_plane = self.kind == ShapeKind::Plane as u8;
+        is_plane.then(|| along(up, direction).eq(zero) & along(up, self.relative(origin)).le(zero))
+    }
+
     /// |cos| of the angle between a line of the world and the normal of the face that it crosses at `t`.
     #[inline(always)]
     pub(crate) fn cosine<R: Float>(&self, origin: Vector<R>, direction: Vector<R>, t: R, face: R) -> R {

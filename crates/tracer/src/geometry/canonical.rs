@@ -36,9 +36,12 @@ impl CanonicalBody {
                 let height = depth.height(radius);
                 (ShapeKind::Paraboloid, 0.0, DVec3::new(radius, height, radius))
             }
-            Shape::Plane | Shape::Union | Shape::Intersection | Shape::Difference | Shape::Group => {
-                (ShapeKind::Plane, 0.0, DVec3::ONE)
-            }
+            Shape::Plane
+            | Shape::Union
+            | Shape::Intersection
+            | Shape::Difference
+            | Shape::Surface
+            | Shape::Group => (ShapeKind::Plane, 0.0, DVec3::ONE),
         };
         let body_from_canonical = match shape {
             // A frustum that widens is a narrowing one upside down: the canonical base is the larger one.

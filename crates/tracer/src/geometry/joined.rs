@@ -2,7 +2,7 @@
 //!
 //! Every part stays convex, so that a line lies in it along one [`ShapeSpan`](crate::shape::ShapeSpan), and the whole is
 //! a boolean function of the bits that tell which parts a point of the line lies in (Roth 1982, Ray Casting for Modeling
-//! Solids). A ray remembers the part that it starts from and the side of that part's surface, as for any other body.
+//! Solids). Of a surface the first part is met, wherever the function holds; it has no inside. A ray remembers the part that it starts from and the side of that part's surface, as for any other body.
 
 use std::ops::Range;
 
@@ -26,6 +26,8 @@ pub(crate) struct JoinTree {
     pub(crate) parts: u32,
     /// A bit for each part: whether the whole lies outside of it, as it does of what is cut away.
     inverted: u64,
+    /// Whether it is the surface of the first part as far as it lies in all others.
+    is_surface: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,10 +56,10 @@ pub(crate) struct JoinGate {
 }
 
 impl JoinTree {
-    /// Of a union, an intersection or a difference; the parts are in the order of [`Form::each_simple`], at most
+    /// Of a union, an intersection, a difference or a surface; the parts are in the order of [`Form::each_simple`], at most
     /// [`Shape::MAX_PARTS`].
     pub(crate) fn of(form: &Form<'_>) -> Self {
-        let mut tree = Self::default();
+        let mut tree = Self { is_surface: form.shape == Shape::Surface, ..Self::default() };
         tree.add(form, false, None);
         tree
     }
@@ -66,7 +68,7 @@ impl JoinTree {
     fn add(&mut self, form: &Form<'_>, is_inverted: bool, gate: Option<JoinGate>) -> u64 {
         let step = match form.shape {
             Shape::Union | Shape::Group => JoinStep::Union,
-            Shape::Intersection => JoinStep::Intersection,
+            Shape::Intersection | Shape::Surface => JoinStep::Intersection,
             Shape::Difference => JoinStep::Difference,
             _ => {
                 let bit = 1_u64.checked_shl(self.parts).unwrap_or_default();
@@ -100,6 +102,24 @@ impl JoinTree {
         }
         self.gates.push(JoinGate { parts, ..own });
         0
+    }
+
+    /// Whether it is what all parts have in common, which is convex.
+    pub(crate) fn is_common(&self) -> bool {
+        let all = u64::MAX.checked_shr(u64::BITS - self.parts).unwrap_or_default();
+        let [gate] = self.gates.as_slice() else { return false };
+        gate.needs_all && gate.parts == all && self.inverted == 0 && !self.is_surface
+    }
+
+    /// Whether it is a surface without inside.
+    pub(crate) fn is_surface(&self) -> bool {
+        self.is_surface
+    }
+
+    /// Whether a surface is there at a point of that of its first part; `around` has a bit for each part that the point
+    /// lies in.
+    pub(crate) fn shows(&self, around: u64) -> bool {
+        self.holds(around | 1)
     }
 
     /// A bit for each part that the whole lies outside of.

@@ -1,5 +1,6 @@
 // Twin of joined.rs: bodies joined of others. The record of one stands behind the order of the bodies: the first of its
-// parts and their number; those that it lies outside of; its place in the order of volumes and the number of its gates.
+// parts and their number; those that it lies outside of; its place in the order of volumes and the number of its gates,
+// with SURFACE if it is a surface without inside.
 
 // The bodies without end are a leaf of each walk, so that what tests a joined body stands in fewer places: shaders are
 // compiled with all calls unfolded.
@@ -16,6 +17,15 @@ fn whole_of(start: u32) -> u32 {
         return start;
     }
     return scene_order[body].y ^ (start & INWARDS);
+}
+
+fn is_surface(record: u32) -> bool {
+    return (scene_order[record + 2u].y & SURFACE) != 0u;
+}
+
+// Whether a body is a surface.
+fn has_no_inside(index: u32) -> bool {
+    return is_joined(index) && is_surface(scene_order[index].y);
 }
 
 // The place of a body in the order of volumes.
@@ -42,7 +52,7 @@ fn gates_hold(record: u32, right: vec2<u32>) -> bool {
     // A bit for each depth: whether a gate there is open, or shut.
     var open = 0u;
     var shut = 0u;
-    let end = record + 3u + 2u * scene_order[record + 2u].y;
+    let end = record + 3u + 2u * (scene_order[record + 2u].y & ~SURFACE);
     for (var gate = record + 3u; gate < end; gate += 2u) {
         let parts = scene_order[gate];
         let depth = scene_order[gate + 1u].x;
@@ -70,6 +80,9 @@ fn join_is_possible(record: u32, met: vec2<u32>) -> bool {
 
 fn joined_contains(index: u32, point: vec3<f32>) -> bool {
     let record = scene_order[index].y;
+    if is_surface(record) {
+        return false;
+    }
     let own = scene_order[record];
     var around = vec2(0u);
     for (var part = 0u; part < own.y; part++) {

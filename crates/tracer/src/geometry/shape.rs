@@ -42,6 +42,11 @@ pub enum ShapeKind {
 }
 
 impl ShapeKind {
+    /// Whether it has caps besides its curved side; surfaces are without them.
+    pub(crate) fn has_caps(self) -> bool {
+        matches!(self, Self::Cylinder | Self::Cone | Self::Paraboloid)
+    }
+
     /// What the shape is asked for besides where rays meet it.
     pub(crate) fn solid(self) -> &'static dyn Solid {
         match self {

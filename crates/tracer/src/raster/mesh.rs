@@ -46,6 +46,12 @@ impl Mesh {
         }
     }
 
+    /// Whether a face of a shape with caps belongs to one: its vertices look along the axis.
+    pub(crate) fn is_on_cap(&self, face: &MeshFace) -> bool {
+        let normal = |corner: &u32| self.vertices.get(*corner as usize).map(|vertex| vertex.normal);
+        face.iter().filter_map(normal).all(|normal| normal.x == 0.0 && normal.z == 0.0)
+    }
+
     fn add(&mut self, point: DVec3, normal: DVec3) -> u32 {
         self.vertices.push(MeshVertex { point, normal });
         self.vertices.len() as u32 - 1

@@ -5,10 +5,13 @@ use crate::geometry::joined::{JoinGate, JoinedBody};
 use crate::geometry::shape::ShapeKind;
 use crate::shaders::constants::ShaderConstants;
 
+/// Beside the number of gates: the body is a surface.
+const SURFACE: u32 = 1 << 31;
+
 /// The constants of shaders for scenes with joined bodies of so many parts at most.
 pub(crate) fn constants(parts: u32) -> ShaderConstants {
     // Whatever comes after it is joined too.
-    let words = vec![("PARTS", parts), ("JOINED", ShapeKind::Joined as u32)];
+    let words = vec![("PARTS", parts), ("JOINED", ShapeKind::Joined as u32), ("SURFACE", SURFACE)];
     ShaderConstants { words, numbers: Vec::new(), flags: Vec::new() }
 }
 
@@ -41,7 +44,8 @@ pub(crate) fn add_to(order: &mut Vec<[u32; 2]>, geometry: &Geometry) {
 
 fn add_record(order: &mut Vec<[u32; 2]>, JoinedBody { first, tree }: &JoinedBody, rank: u32) {
     let gates = tree.gates();
-    order.extend([[*first, tree.parts], halves(tree.inverted()), [rank, gates.len() as u32]]);
+    let gate_word = gates.len() as u32 | if tree.is_surface() { SURFACE } else { 0 };
+    order.extend([[*first, tree.parts], halves(tree.inverted()), [rank, gate_word]]);
     order.extend(
         gates
             .iter()

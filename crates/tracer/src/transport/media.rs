@@ -115,7 +115,8 @@ impl MediumStacks {
     }
 
     /// What a ray in `media` comes to beyond the surface of a body; `start` is the [word](RayOrigin::word) of one that is
-    /// reflected there. To leave a body that was never entered, as may be where surfaces coincide, changes nothing.
+    /// reflected there. To leave a body that was never entered, as may be where surfaces coincide, changes nothing; nor does what
+    /// is a surface only.
     pub(crate) fn interface(
         &mut self,
         scene: &RenderScene,
@@ -135,6 +136,7 @@ impl MediumStacks {
             (false, false) => self.entered(media, body),
             (true, false) | (false, true) => media,
         };
+        let beyond = if scene.geometry.is_surface(body) { media } else { beyond };
         let ratio = self.ior(scene, waves, media) / self.ior(scene, waves, beyond);
         let crossing = MediumTransition { beyond, ratio };
         self.crossings.insert((media, start), crossing);

@@ -48,12 +48,16 @@ fn media_leave(media: ptr<function, Media>, body: u32) {
 }
 
 // Crosses a surface; returns the index of refraction before it divided by that beyond. `start` is the word of a ray that is
-// reflected there. To leave a body that was never entered, as may be where surfaces coincide, changes nothing.
+// reflected there. To leave a body that was never entered, as may be where surfaces coincide, changes nothing; nor does what
+// is a surface only.
 fn media_cross(media: ptr<function, Media>, start: u32) -> f32 {
     let before = media_ior(media);
     // A joined body is one medium, whatever its parts.
     let whole = whole_of(start);
     let body = whole & NO_START;
+    if has_no_inside(body) {
+        return 1.0;
+    }
     if (whole & INWARDS) != 0u {
         media_leave(media, body);
     } else if !media_contains(media, body) {

@@ -24,5 +24,6 @@ mod robustness;
 mod samples;
 mod shapes;
 mod spd;
+mod surfaces;
 mod surroundings;
 mod trees;

@@ -13,7 +13,7 @@ fn holds(form: &Form<'_>, point: DVec3) -> bool {
     let mut parts = form.parts.iter().map(|part| holds(&part.form(), at));
     match form.shape {
         Shape::Union | Shape::Group => parts.any(|held| held),
-        Shape::Intersection => parts.all(|held| held),
+        Shape::Intersection | Shape::Surface => parts.all(|held| held),
         Shape::Difference => parts.next().unwrap() && !parts.any(|held| held),
         Shape::Plane => at.y < 0.0,
         Shape::Sphere { radius } => at.length() < radius,
@@ -97,6 +97,105 @@ fn prisms_and_wedges_end_at_their_corners() {
             let is_in_box = (2.0 * point.abs()).cmplt(size).all();
             is_in_box && point.x / size.x + point.y / size.y < 0.0
         });
+    }
+}
+
+/// A surface has the points of its first part's surface that the formula has, and the extent is the least box around them.
+fn assert_is_flat(shape: ParametricShape, normal: DVec3, formula: impl Fn(DVec3) -> bool) {
+    assert_eq!(shape.broken_size(), None, "{shape:?}");
+    let body = Body::of_shape(BodyShape::Parametric(shape));
+    assert_eq!(body.shape, Shape::Surface);
+    let [first, cutters @ ..] = body.parts.as_slice() else { panic!("{shape:?}") };
+    let up = first.placement.world_from_body().matrix3 * DVec3::Y;
+    assert!(first.shape == Shape::Plane && up.distance(normal) < 1e-12, "{shape:?}: {up}");
+    let [min, max] = body.form().extent().unwrap();
+    let (middle, half) = (0.5 * (min + max), 0.5 * (max - min));
+    let (mut least, mut greatest) = (max, min);
+    for point in points(40_000) {
+        let point = middle + 1.1 * half * point;
+        let point = point - normal * normal.dot(point - first.placement.origin());
+        let is_in = formula(point);
+        let is_held = cutters.iter().all(|part| holds(&part.form(), point));
+        assert_eq!(is_held, is_in, "{shape:?}: {point}");
+        if is_in {
+            (least, greatest) = (least.min(point), greatest.max(point));
+        }
+    }
+    let gap = (least - min).max(max - greatest).max_element() / half.max_element();
+    assert!(gap < 0.1, "{shape:?}: {least} {greatest} in {min} {max}");
+}
+
+#[test]
+fn flat_shapes_end_at_their_edges() {
+    for radius in [0.5, 3.0, 1e-3] {
+        let disc = ParametricShape::Disc(Disc { radius });
+        assert_is_flat(disc, DVec3::Y, |point| point.length() < radius);
+    }
+    for (width, length) in [(1.0, 1.0), (0.01, 4.0), (300.0, 7.0)] {
+        let rectangle = ParametricShape::Rectangle(Rectangle { width, length });
+        assert_is_flat(rectangle, DVec3::Y, |point| {
+            2.0 * point.x.abs() < width && 2.0 * point.z.abs() < length
+        });
+    }
+    for triangle in [
+        Triangle::default(),
+        Triangle { a: dvec3(1.0, 2.0, 3.0), b: dvec3(-1.0, 0.5, 2.0), c: dvec3(0.3, -4.0, 0.1) },
+        Triangle { a: dvec3(0.0, 0.0, 0.0), b: dvec3(0.0, 1e-3, 0.0), c: dvec3(1.0, 0.0, 0.0) },
+    ] {
+        let Triangle { a, b, c } = triangle;
+        let normal = (b - a).cross(c - a);
+        assert_is_flat(ParametricShape::Triangle(triangle), normal.normalize(), |point| {
+            let is_left = |from: DVec3, to: DVec3| (to - from).cross(point - from).dot(normal) > 0.0;
+            is_left(a, b) && is_left(b, c) && is_left(c, a)
+        });
+    }
+    let line = Triangle { a: DVec3::ZERO, b: DVec3::ONE, c: 3.0 * DVec3::ONE };
+    assert_eq!(ParametricShape::Triangle(line).broken_size(), Some(SizeFault::FlatTriangle.at("c")));
+}
+
+#[test]
+fn polygons_are_flat_and_convex() {
+    let at = |corners: &[[f64; 2]]| {
+        // In a plane that is along no axis.
+        let [right, up] = [dvec3(2.0, -1.0, 2.0) / 3.0, dvec3(1.0, -2.0, -2.0) / 3.0];
+        corners.iter().map(|[x, y]| dvec3(0.3, 0.1, -2.0) + *x * right + *y * up).collect::<Vec<_>>()
+    };
+    let square = at(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);
+    let backwards: Vec<DVec3> = square.iter().rev().copied().collect();
+    for corners in [&square, &backwards] {
+        let Expansion { shape, parts } = Expansion::convex_polygon(corners).unwrap();
+        assert_eq!((shape, parts.len()), (Shape::Surface, 6));
+    }
+    let with_middle = at(&[[0.0, 0.0], [0.5, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);
+    assert!(Expansion::convex_polygon(&with_middle).is_some(), "a corner on a side");
+    let notched = at(&[[0.0, 0.0], [1.0, 0.0], [0.4, 0.4], [0.0, 1.0]]);
+    let crossed = at(&[[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]]);
+    let mut bent = square.clone();
+    bent[2] += dvec3(0.0, 0.1, 0.1);
+    for corners in [&notched[..], &crossed, &bent, &square[..2], &[DVec3::ONE; 5], &[], &[DVec3::NAN; 4]] {
+        assert_eq!(Expansion::convex_polygon(corners), None, "{corners:?}");
+    }
+    let round = |count: usize| {
+        let angle = |index: usize| std::f64::consts::TAU * index as f64 / count as f64;
+        (0..count).map(|index| dvec3(angle(index).cos(), 0.0, angle(index).sin())).collect::<Vec<_>>()
+    };
+    assert_eq!(Expansion::convex_polygon(&round(62)).unwrap().parts.len(), Shape::MAX_PARTS);
+    assert_eq!(Expansion::convex_polygon(&round(63)), None);
+}
+
+#[test]
+fn open_shapes_are_their_sides() {
+    let (radius, top_radius, height) = (0.4, 0.1, 2.0);
+    for (open, side) in [
+        (ParametricShape::OpenCylinder(OpenCylinder { radius, height }), Shape::Cylinder { radius, height }),
+        (
+            ParametricShape::OpenCone(OpenCone { radius, top_radius, height }),
+            Shape::Cone { radius, top_radius, height },
+        ),
+    ] {
+        let Expansion { shape, parts } = open.expansion();
+        assert_eq!((shape, parts.len(), parts[0].shape), (Shape::Surface, 1, side));
+        assert_eq!(Some(open.extent()), side.extent());
     }
 }
 

@@ -34,6 +34,10 @@ impl Parametric for Wedge {
 
     fn set_number(&mut self, _key: &str, _value: f64) {}
 
+    fn vector_mut(&mut self, key: &str) -> Option<&mut DVec3> {
+        (key == "size").then_some(&mut self.size)
+    }
+
     fn extent(&self) -> [DVec3; 2] {
         [-0.5 * self.size, 0.5 * self.size]
     }

@@ -7,63 +7,7 @@ use crate::format::message::syntax::SyntaxFault;
 use crate::format::spec::{Kind, TableSpec};
 use crate::image::ImageError;
 
-/// Makes a catalog of messages: an enum `Message` of names with arguments, each with its English and its Russian
-/// sentence. Both sentences name all arguments, which are [`Phrase`](crate::Phrase)s.
-///
-/// ```
-/// # use catoptric_scene::{Diagnostic, Language, Sentence, Severity};
-/// catoptric_scene::messages! {
-///     Unknown { name: String }:
-///         "there is no {name}",
-///         "нет такого имени: {name}";
-/// }
-/// let finding = Diagnostic::said(Severity::Error, 0..1, Message::Unknown { name: "a".to_owned() });
-/// assert_eq!(finding.message(Language::English), "there is no a");
-/// ```
-#[macro_export]
-macro_rules! messages {
-    ($($name:ident $({ $($field:ident: $kind:ty),+ $(,)? })?: $english:literal, $russian:literal;)+) => {
-        /// A message, independent of the language.
-        #[derive(Clone, Debug, PartialEq, Eq)]
-        pub(crate) enum Message {
-            $($name $({ $($field: $kind),+ })?,)+
-        }
-
-        impl Message {
-            /// The name, the English and the Russian sentence of every message, for tests.
-            #[cfg(test)]
-            pub(crate) const SENTENCES: &'static [[&'static str; 3]] =
-                &[$([stringify!($name), $english, $russian]),+];
-
-            /// The message in words. Whatever of the file it repeats, it is one line that does nothing but be seen.
-            pub(crate) fn text(&self, language: $crate::Language) -> String {
-                #[allow(unused_imports, reason = "a catalog may have no arguments")]
-                use $crate::Phrase as _;
-                let sentence = match self {
-                    $(Self::$name $({ $($field),+ })? => {
-                        $($(let $field = $field.phrase(language);)+)?
-                        match language {
-                            $crate::Language::English => format_args!($english).to_string(),
-                            $crate::Language::Russian => format_args!($russian).to_string(),
-                        }
-                    })+
-                };
-                match $crate::visible(&sentence) {
-                    ::std::borrow::Cow::Borrowed(_) => sentence,
-                    ::std::borrow::Cow::Owned(visible) => visible,
-                }
-            }
-        }
-
-        impl From<Message> for $crate::Sentence {
-            fn from(message: Message) -> Self {
-                Self::new(|language| message.text(language))
-            }
-        }
-    };
-}
-
-messages! {
+crate::messages! {
     // The file as a whole.
     TextTooLong:
         "the text is too long",
@@ -299,6 +243,18 @@ messages! {
     DeepestParts { most: String }:
         "parts within parts can be nested {most} levels deep",
         "частей одна в другой может быть не больше {most} уровней";
+    SurfaceOfJoined:
+        "the first part of a surface is made of parts itself",
+        "первая часть поверхности сама состоит из частей";
+    SurfaceOfSimple:
+        "the first part is the sphere, cylinder, cone, plane … whose surface is left; the others cut it",
+        "первая часть — шар, цилиндр, конус, плоскость…, от которых остаётся поверхность; другие её обрезают";
+    SurfaceWithin { shape: &'static str }:
+        "a surface has no inside, so it cannot be a part of a {shape}",
+        "у поверхности нет внутренности, поэтому она не может быть частью тела формы \"{shape}\"";
+    SurfaceStandsAlone:
+        "make it a body of its own, or a member of a group",
+        "сделайте её отдельным телом или членом группы";
     PartsOfSimple { shape: &'static str }: "a {shape} has no parts", "у тела формы \"{shape}\" частей не бывает";
     UndefinedBody { name: String }: "the body {name} is not defined", "тело {name} не определено";
     PatternsTooDeep: "patterns are nested too deep", "узоры вложены слишком глубоко";

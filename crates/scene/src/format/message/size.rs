@@ -73,6 +73,10 @@ fn fault_in_words(BrokenSize { key, fault }: BrokenSize, shown: impl Fn(f64) -> 
                 format!("шар одной из поверхностей кончается внутри линзы, если она не тоньше {most} м"),
             ]
         }
+        SizeFault::FlatTriangle => {
+            ["the corners `a`, `b` and `c` lie on a line", "вершины `a`, `b` и `c` лежат на одной прямой"]
+                .map(str::to_owned)
+        }
         SizeFault::NoRefraction => [
             "a lens whose index of refraction is 1 has no focal length",
             "у линзы с показателем преломления 1 нет фокусного расстояния",
@@ -126,6 +130,9 @@ fn help_in_words(BrokenSize { key, fault }: BrokenSize, shown: impl Fn(f64) -> S
             "the radius of curvature must be larger than `radius`; bend the face less, or make `radius` smaller",
             "радиус кривизны должен быть больше, чем `radius`; увеличьте его или уменьшите `radius`",
         ],
+        SizeFault::FlatTriangle => {
+            ["move one of them away from the line", "отодвиньте одну из них от прямой"]
+        }
         SizeFault::LensTooThin { .. } => [
             "make `thickness` larger or `radius` smaller, or bend the faces less",
             "увеличьте `thickness`, уменьшите `radius` или сделайте поверхности более пологими",

@@ -16,9 +16,9 @@ use crate::state::context::Cx;
 static RADIUS: NumberRow<Body> = NumberRow::<Body>::new(
     RowQuantity::new("radius", "edit-radius", &keys::BODY, "radius").in_unit(Unit::Meters),
     SliderRail::None,
-    |body| body.body_shape().number("radius").filter(|_| body.shape.number("top_radius").is_none()),
+    |body| body.body_shape().number("radius").filter(|_| body.body_shape().number("top_radius").is_none()),
     |body, value| {
-        if body.shape.number("top_radius").is_none() {
+        if body.body_shape().number("top_radius").is_none() {
             body.change_shape(|shape| shape.set_number("radius", value));
         }
     },
@@ -27,10 +27,10 @@ static RADIUS: NumberRow<Body> = NumberRow::<Body>::new(
 static BASE_RADIUS: NumberRow<Body> = NumberRow::<Body>::new(
     RowQuantity::new("base-radius", "edit-radius", &keys::BODY, "radius").in_unit(Unit::Meters),
     SliderRail::None,
-    |body| body.shape.number("radius").filter(|_| body.shape.number("top_radius").is_some()),
+    |body| body.body_shape().number("radius").filter(|_| body.body_shape().number("top_radius").is_some()),
     |body, value| {
-        if body.shape.number("top_radius").is_some() {
-            body.shape.set_number("radius", value);
+        if body.body_shape().number("top_radius").is_some() {
+            body.change_shape(|shape| shape.set_number("radius", value));
         }
     },
 );
@@ -38,8 +38,8 @@ static BASE_RADIUS: NumberRow<Body> = NumberRow::<Body>::new(
 static TOP_RADIUS: NumberRow<Body> = NumberRow::<Body>::new(
     RowQuantity::new("top-radius", "edit-top-radius", &keys::BODY, "top_radius").in_unit(Unit::Meters),
     SliderRail::None,
-    |body| body.shape.number("top_radius"),
-    |body, value| body.shape.set_number("top_radius", value),
+    |body| body.body_shape().number("top_radius"),
+    |body, value| body.change_shape(|shape| shape.set_number("top_radius", value)),
 );
 
 static HEIGHT: NumberRow<Body> = NumberRow::<Body>::new(
@@ -115,6 +115,41 @@ static SIZE: VectorRow<Body> = VectorRow::<Body>::new(
 )
 .linked(|memory| &mut memory.size_link);
 
+static WIDTH: NumberRow<Body> = NumberRow::<Body>::new(
+    RowQuantity::new("width", "edit-width", &keys::BODY, "width").in_unit(Unit::Meters),
+    SliderRail::None,
+    |body| body.body_shape().shown_number("width"),
+    |body, value| body.change_shape(|shape| shape.set_number("width", value)),
+);
+
+static LENGTH: NumberRow<Body> = NumberRow::<Body>::new(
+    RowQuantity::new("length", "edit-length", &keys::BODY, "length").in_unit(Unit::Meters),
+    SliderRail::None,
+    |body| body.body_shape().shown_number("length"),
+    |body, value| body.change_shape(|shape| shape.set_number("length", value)),
+);
+
+static CORNERS: [VectorRow<Body>; 3] = [
+    VectorRow::<Body>::new(
+        RowQuantity::new("corner-a", "edit-corner", &keys::BODY, "a").in_unit(Unit::Meters),
+        VectorSpread::Same,
+        |body| body.body_shape().vector("a"),
+        |body, value| body.change_shape(|shape| shape.set_vector("a", value)),
+    ),
+    VectorRow::<Body>::new(
+        RowQuantity::new("corner-b", "edit-corner", &keys::BODY, "b").in_unit(Unit::Meters),
+        VectorSpread::Same,
+        |body| body.body_shape().vector("b"),
+        |body, value| body.change_shape(|shape| shape.set_vector("b", value)),
+    ),
+    VectorRow::<Body>::new(
+        RowQuantity::new("corner-c", "edit-corner", &keys::BODY, "c").in_unit(Unit::Meters),
+        VectorSpread::Same,
+        |body| body.body_shape().vector("c"),
+        |body, value| body.change_shape(|shape| shape.set_vector("c", value)),
+    ),
+];
+
 /// Draws the values of the selected bodies.
 pub(super) fn bodies_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut InspectorState) {
     if cx.editor.selected_part().is_some() {
@@ -179,7 +214,12 @@ pub(super) fn shape_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Body>) {
         sheet.note(ui, "shape");
         let chosen = Some(kind.key());
         sheet.vector(ui, &SIZE);
-        for row in [&SIDES, &RADIUS, &BASE_RADIUS, &TOP_RADIUS, &INNER_RADIUS, &THICKNESS, &HEIGHT] {
+        for corner in &CORNERS {
+            sheet.vector(ui, corner);
+        }
+        for row in
+            [&WIDTH, &LENGTH, &SIDES, &RADIUS, &BASE_RADIUS, &TOP_RADIUS, &INNER_RADIUS, &THICKNESS, &HEIGHT]
+        {
             sheet.number(ui, row, chosen);
         }
         profile_ui(ui, sheet);

@@ -18,8 +18,12 @@ pub(super) fn reshape(body: &mut Body, kind: ShapeKind) {
     }
     to_frame(body);
     let before = body.form().extent();
-    // A plane has no sizes to carry over.
-    let (radius, height) = before.map_or((0.5, 1.0), |[min, max]| (0.5 * (max.x - min.x), max.y - min.y));
+    // A plane has no sizes to carry over, and what is flat lacks one.
+    let (radius, height) = before.map_or((0.5, 1.0), |[min, max]| {
+        let size = max - min;
+        let or_largest = |length: f64| if length > 0.0 { length } else { size.max_element() };
+        (0.5 * or_largest(size.x), or_largest(size.y))
+    });
     body.set_shape(BodyShape::of_size(kind, radius, height));
     let bottom = |[min, _]: [DVec3; 2]| min.y;
     let middle = |[min, max]: [DVec3; 2]| 0.5 * (min.y + max.y);

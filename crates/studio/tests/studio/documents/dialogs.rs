@@ -97,7 +97,8 @@ fn findings_are_told_in_the_language_of_the_window() {
             "line 11, column 8: error: `size` is a text, but must be a number or three numbers",
             "line 15, column 9: error: `shape` is `banana`, but must be \"sphere\", \"cube\", \"cylinder\", \
              \"cone\", \"paraboloid\", \"plane\", \"lens\", \"mirror-dish\", \"tube\", \"ring\", \"bowl\", \
-             \"prism\", \"wedge\", \"union\", \"intersection\", \"difference\" or \"group\"",
+             \"prism\", \"wedge\", \"open-cylinder\", \"open-cone\", \"disc\", \"rectangle\", \"triangle\", \
+             \"union\", \"intersection\", \"difference\", \"surface\" or \"group\"",
         ]
     );
     // The same findings, in the other language, without reading the file again.
@@ -108,7 +109,8 @@ fn findings_are_told_in_the_language_of_the_window() {
             "строка 11, столбец 8: ошибка: `size` — текст, а ожидается число или три числа",
             "строка 15, столбец 9: ошибка: `shape` — `banana`, а ожидается \"sphere\", \"cube\", \"cylinder\", \
              \"cone\", \"paraboloid\", \"plane\", \"lens\", \"mirror-dish\", \"tube\", \"ring\", \"bowl\", \
-             \"prism\", \"wedge\", \"union\", \"intersection\", \"difference\" или \"group\"",
+             \"prism\", \"wedge\", \"open-cylinder\", \"open-cone\", \"disc\", \"rectangle\", \"triangle\", \
+             \"union\", \"intersection\", \"difference\", \"surface\" или \"group\"",
         ]
     );
     assert_eq!(harness.state().texts().missing(), Vec::<String>::new());

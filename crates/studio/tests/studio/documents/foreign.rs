@@ -44,17 +44,17 @@ fn a_scene_of_another_ray_tracer_is_shown_in_its_codes_and_the_next_one_is_not()
 fn what_cannot_be_taken_over_exactly_is_opened_approximately_when_asked() {
     let host = TestHost::new();
     let (mut harness, _) = with_file(&host, SCENE);
-    let path = host.path("triangle.rt");
-    std::fs::write(&path, format!("{MINIRT}tr 0,0,0 1,0,0 0,1,0 255,0,0\n")).unwrap();
+    let path = host.path("torus.rt");
+    std::fs::write(&path, format!("{MINIRT}to 0,0,0 1,0,0 2 1 255,0,0\n")).unwrap();
     run(&mut harness, FileCommand::OpenFile(path.clone()));
     wait_for(&mut harness, "Open approximately");
-    assert!(tells(&harness, "5:1: error: triangles are not drawn"));
+    assert!(tells(&harness, "5:1: error: there is no element `to`"));
     press(&mut harness, "Cancel");
     assert_eq!(title(harness.state()), "a.toml");
     run(&mut harness, FileCommand::OpenFile(path.clone()));
     wait_for(&mut harness, "Open approximately");
     press(&mut harness, "Open approximately");
-    wait_until(&mut harness, "the scene is open", |studio| title(studio) == "triangle");
+    wait_until(&mut harness, "the scene is open", |studio| title(studio) == "torus");
     assert_eq!(harness.state().editor().scene().bodies.len(), 1);
     // What no approximation helps is refused with its errors alone.
     std::fs::write(&path, "sp\n").unwrap();

@@ -7,6 +7,10 @@ fn is_joined(index: u32) -> bool {
     return false;
 }
 
+fn has_no_inside(index: u32) -> bool {
+    return false;
+}
+
 fn whole_of(start: u32) -> u32 {
     return start;
 }

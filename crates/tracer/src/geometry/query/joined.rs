@@ -13,10 +13,10 @@ use crate::geometry::joined::{JoinTree, JoinedBody};
 use crate::geometry::query::closest::GRAZING;
 use crate::geometry::query::{JoinedHits, RayQuery};
 use crate::geometry::ray::{POINT_ROUNDING, RayOrigin, RayPacket, error_bound_at};
-use crate::geometry::shape::ShapeSpan;
+use crate::geometry::shape::{SIDE, ShapeSpan};
 use crate::simd::scalar::ScalarWidth;
 use crate::simd::vector::Vector;
-use crate::simd::{Float32 as _, MOST_LANES, Mask as _, Width, Word as _};
+use crate::simd::{Float as _, Float32 as _, MOST_LANES, Mask as _, Width, Word as _};
 
 /// Where a ray crosses the surface of a joined body.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,7 +26,7 @@ pub(crate) struct JoinedCrossing {
     pub(crate) part: u32,
     /// The face of the part's [`ShapeSpan`].
     pub(crate) face: f32,
-    /// Whether the ray enters the whole, whatever it does to the part.
+    /// Whether the ray enters the whole, whatever it does to the part; of a surface, the part.
     pub(crate) enters: bool,
 }
 
@@ -113,14 +113,27 @@ impl<'a, W: Width> RayQuery<'a, W> {
     #[cold]
     #[inline(never)]
     pub(crate) fn first_of_joined(&self, index: u32, lanes: W::M) -> JoinedHits<W> {
-        let first = FirstCrossings::of(self.walks(index, lanes));
-        JoinedHits {
-            t: self.w.load(&first.t),
-            part: self.w.load_words(&first.part),
-            face: self.w.load(&first.face),
-            entering: self.w.mask(first.entering),
-            leaving: self.w.mask(first.leaving),
+        if let Some(body) = self.geometry.joined(index).filter(|body| body.tree.is_common()) {
+            return self.w.run(
+                #[inline(always)]
+                || self.first_of_common(index, body, lanes),
+            );
         }
+        FirstCrossings::of(self.walks(index, lanes)).hits(self.w)
+    }
+
+    /// The lines in a part; those that run within a half-space along its surface never leave it.
+    #[inline(always)]
+    pub(crate) fn part_span(&self, part: u32) -> ShapeSpan<W::R> {
+        let body = self.geometry.body(part);
+        let mut span = self.geometry.span(self.w, (part, body), self.origin, self.direction);
+        if let Some(within) = body.holds_parallel(self.origin, self.direction) {
+            let infinity = self.w.real(f32::INFINITY);
+            span.enter = W::R::select(within, -infinity, span.enter);
+            span.exit = W::R::select(within, infinity, span.exit);
+            span.hit = span.hit | within;
+        }
+        span
     }
 
     #[inline(never)]
@@ -131,8 +144,7 @@ impl<'a, W: Width> RayQuery<'a, W> {
             #[inline(always)]
             move || {
                 for part in body.parts() {
-                    let body = (part, self.geometry.body(part));
-                    let span = self.geometry.span(self.w, body, self.origin, self.direction);
+                    let span = self.part_span(part);
                     spans_of.push(SpanRows::of::<W>(&span));
                 }
             },
@@ -215,7 +227,7 @@ impl<'g> Iterator for JoinedWalks<'g> {
 }
 
 /// The first crossing of each ray, if any.
-struct FirstCrossings {
+pub(crate) struct FirstCrossings {
     t: [f32; MOST_LANES],
     part: [u32; MOST_LANES],
     face: [f32; MOST_LANES],
@@ -224,7 +236,7 @@ struct FirstCrossings {
 }
 
 impl FirstCrossings {
-    fn of(walks: Option<JoinedWalks<'_>>) -> Self {
+    pub(crate) fn of(walks: Option<JoinedWalks<'_>>) -> Self {
         let [t, face] = [[0.0; MOST_LANES]; 2];
         let mut first = Self { t, part: [0; MOST_LANES], face, entering: 0, leaving: 0 };
         for (lane, mut walk) in walks.into_iter().flatten() {
@@ -234,6 +246,16 @@ impl FirstCrossings {
             }
         }
         first
+    }
+
+    pub(crate) fn hits<W: Width>(&self, w: W) -> JoinedHits<W> {
+        JoinedHits {
+            t: w.load(&self.t),
+            part: w.load_words(&self.part),
+            face: w.load(&self.face),
+            entering: w.mask(self.entering),
+            leaving: w.mask(self.leaving),
+        }
     }
 }
 
@@ -256,6 +278,10 @@ impl<'g> JoinedWalk<'g> {
             parts: 0,
             is_inside: false,
         };
+        if body.tree.is_surface() {
+            walk.meet_surface(spans);
+            return walk;
+        }
         let start = RayOrigin::of_word(ray.start);
         let own = body.parts().contains(&start.body).then(|| start.body - body.first);
         let known = match own {
@@ -293,6 +319,38 @@ impl<'g> JoinedWalk<'g> {
         walk
     }
 
+    /// Finds where the ray crosses the first part's surface as far as that lies in the others. At the start it is met by
+    /// what enters the part, as the surface of any other body.
+    fn meet_surface(&mut self, spans: &[ShapeSpan<f32>]) {
+        let start = RayOrigin::of_word(self.ray.start);
+        let is_own = start.body == self.body.first;
+        let Some(span) = spans.first().filter(|span| span.hit || is_own && start.inwards) else { return };
+        let enter = PartCrossing { t: span.enter, part: 0, face: span.enter_face, enters: true };
+        let exit = PartCrossing { t: span.exit, part: 0, face: span.exit_face, enters: false };
+        let has_caps = self.geometry.body(self.body.first).canonical().kind.has_caps();
+        for crossing in [enter, exit] {
+            let is_ahead = match is_own {
+                true => start.inwards && !crossing.enters,
+                false if self.is_at_start(&crossing) => crossing.enters,
+                false => crossing.t > 0.0,
+            };
+            let t = crossing.t.max(0.0);
+            let is_in = |span: &ShapeSpan<f32>| span.hit && (span.enter..=span.exit).contains(&t);
+            let around = (0..).zip(spans).fold(0, |bits, (part, span)| bits | u64::from(is_in(span)) << part);
+            let is_cap = has_caps && crossing.face != SIDE;
+            if is_ahead && !is_cap && self.body.tree.shows(around) {
+                self.crossings.push(PartCrossing { t, ..crossing });
+            }
+        }
+    }
+
+    /// The next crossing of a surface, which does not lead into anything.
+    fn next_of_surface(&mut self) -> Option<JoinedCrossing> {
+        let PartCrossing { t, part, face, enters } = *self.crossings.get(self.passed)?;
+        self.passed += 1;
+        Some(JoinedCrossing { t, part: self.body.first + part, face, enters })
+    }
+
     /// Whether the ray is in the whole where it is.
     pub(crate) fn is_inside(&self) -> bool {
         self.is_inside
@@ -327,6 +385,9 @@ impl<'g> JoinedWalk<'g> {
 
     /// The next crossing of the surface of the whole.
     pub(crate) fn next(&mut self) -> Option<JoinedCrossing> {
+        if self.body.tree.is_surface() {
+            return self.next_of_surface();
+        }
         loop {
             let first = *self.crossings.get(self.passed)?;
             let end = self.end_of_coincident(first);

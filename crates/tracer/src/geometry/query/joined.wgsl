@@ -4,7 +4,7 @@ struct JoinedCrossing {
     t: f32,
     // The part that makes the surface there.
     part: u32,
-    // Whether the ray enters the whole, whatever it does to the part.
+    // Whether the ray enters the whole, whatever it does to the part; of a surface, the part.
     enters: bool,
     hit: bool,
 }
@@ -57,7 +57,15 @@ fn joined_walk(index: u32, ray: Ray, media: ptr<function, Media>) -> JoinedWalk 
     var met = vec2(0u);
     for (var part = 0u; part < count; part++) {
         let bit = bit_of(part);
-        let span = body_span(first + part, ray.origin, ray.direction);
+        var span = body_span(first + part, ray.origin, ray.direction);
+        if HAS_PLANES && !span.hit && body_kind(first + part) == PLANE {
+            // A line along the surface of a half-space never leaves it.
+            let up = body_up(first + part);
+            let is_within = dot(up, ray.direction) == 0.0 && dot(up, ray.origin - body_origin(first + part)) <= 0.0;
+            if is_within {
+                span = Span(-INFINITY, INFINITY, SIDE, SIDE, true);
+            }
+        }
         if span.hit || (is_own && part == own && heads_in) {
             met |= bit;
         }
@@ -91,13 +99,45 @@ fn joined_walk(index: u32, ray: Ray, media: ptr<function, Media>) -> JoinedWalk 
             walk.parts ^= bit;
         }
     }
+    if is_surface(record) {
+        // Of the other parts it only counts what lies in them.
+        is_known = false;
+        at_enter &= vec2(1u, 0u);
+        at_exit &= vec2(1u, 0u);
+    }
     if !join_is_possible(record, met) {
         walk.enters = vec2(0u);
         walk.exits = vec2(0u);
         return walk;
     }
     settle_start(&walk, at_enter, at_exit, vec2(is_known, known), is_own);
+    if is_surface(record) {
+        keep_surface(&walk, count, met);
+    }
     return walk;
+}
+
+// Of the crossings ahead keeps those of the first part's surface that lie in the other parts, of which the line comes
+// through those `met`.
+fn keep_surface(walk: ptr<function, JoinedWalk>, count: u32, met: vec2<u32>) {
+    let kind = body_kind((*walk).first);
+    let has_caps = kind == CYLINDER || kind == CONE || kind == PARABOLOID;
+    var shown = vec2(false);
+    for (var side = 0u; side < 2u; side++) {
+        let t = part_spans[0][side];
+        var around = vec2(1u, 0u);
+        for (var part = 1u; part < count; part++) {
+            let span = part_spans[part];
+            if has_bit(met, part) && span.x <= t && t <= span.y {
+                around |= bit_of(part);
+            }
+        }
+        let is_shown = (!has_caps || part_faces[0][side] == SIDE) && join_holds((*walk).record, around);
+        shown |= vec2(is_shown) & (vec2(0u, 1u) == vec2(side));
+    }
+    (*walk).enters &= vec2(u32(shown.x), 0u);
+    (*walk).exits &= vec2(u32(shown.y), 0u);
+    (*walk).is_inside = false;
 }
 
 // Decides which of the crossings at the ray's start are behind it and which ahead. `known` tells whether it is known that
@@ -184,6 +224,8 @@ fn nearest_crossing(enters: vec2<u32>, exits: vec2<u32>) -> PartCrossing {
 
 // The next crossing of the surface of the whole.
 fn joined_next(walk: ptr<function, JoinedWalk>, ray: Ray) -> JoinedCrossing {
+    // Each crossing of a surface counts, and leads into nothing.
+    let is_only = is_surface((*walk).record);
     while any(((*walk).enters | (*walk).exits) != vec2(0u)) {
         var first = PartCrossing(0.0, 0u, false, false);
         // Those that coincide with the first one.
@@ -191,7 +233,8 @@ fn joined_next(walk: ptr<function, JoinedWalk>, ray: Ray) -> JoinedCrossing {
         var left = vec2(0u);
         loop {
             let other = nearest_crossing((*walk).enters, (*walk).exits);
-            if !other.hit || (first.hit && !coincides((*walk).first, ray, first, other)) {
+            let is_next = !first.hit || (!is_only && coincides((*walk).first, ray, first, other));
+            if !other.hit || !is_next {
                 break;
             }
             if !first.hit {
@@ -208,6 +251,9 @@ fn joined_next(walk: ptr<function, JoinedWalk>, ray: Ray) -> JoinedCrossing {
         }
         if !first.hit {
             break;
+        }
+        if is_only {
+            return JoinedCrossing(first.t, (*walk).first, first.enters, true);
         }
         let before = (*walk).parts;
         let parts = before ^ entered ^ left;
@@ -302,7 +348,7 @@ fn filter_through_joined(index: u32, ray: Ray, media: ptr<function, Media>, dist
             break;
         }
         share *= filter_of(crossing.part);
-        is_in = crossing.enters;
+        is_in = crossing.enters && !is_surface(walk.record);
         is_within = false;
         enter = crossing.t;
     }

@@ -1,7 +1,8 @@
 //! Which points of a part's faces lie on the surface of the whole.
 //!
 //! The faces of all parts are drawn whole, and what does not bound the joined body is left out pixel by pixel: beneath the
-//! face and above it, membership in the whole has to be different. So no meshes are cut into each other. Faces lie beside
+//! face and above it, membership in the whole has to be different; of a surface, the point itself has to lie in the other
+//! parts. So no meshes are cut into each other. Faces lie beside
 //! the surfaces that they stand for; so that no gap is seen between those of two parts, they reach that much further.
 
 use std::f64::consts::FRAC_PI_4;
@@ -83,11 +84,16 @@ impl<'a> PartFace<'a> {
     }
 
     fn bounds_whole(&self, at: DVec3) -> bool {
-        let parts = |at: DVec3| {
-            let at = at.as_vec3();
-            self.scene.geometry.parts_around(self.body, Vector::new(at.x, at.y, at.z))
-        };
+        if self.body.tree.is_surface() {
+            return self.body.tree.shows(self.parts_around(at));
+        }
+        let (below, above) = (self.parts_around(at - self.above), self.parts_around(at + self.above));
         let tree = &self.body.tree;
-        tree.holds(parts(at - self.above) | self.part) != tree.holds(parts(at + self.above) & !self.part)
+        tree.holds(below | self.part) != tree.holds(above & !self.part)
+    }
+
+    fn parts_around(&self, at: DVec3) -> u64 {
+        let at = at.as_vec3();
+        self.scene.geometry.parts_around(self.body, Vector::new(at.x, at.y, at.z))
     }
 }

@@ -47,6 +47,17 @@ pub(crate) struct FaceList {
     pub(crate) faces: Vec<WorldFace>,
 }
 
+/// What a simple body is to the one that is seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Role {
+    /// That itself.
+    Alone,
+    /// A part of it.
+    Part,
+    /// The part of which it is the surface.
+    Surface,
+}
+
 /// Meshes of shapes that many bodies share, by their kinds.
 #[derive(Default)]
 pub(crate) struct MeshCache(HashMap<u8, Arc<Mesh>>);
@@ -78,12 +89,15 @@ impl FaceList {
         let Some(joined) = scene.geometry.joined(index) else {
             let is_plane = scene.geometry.body(index).canonical().kind == ShapeKind::Plane;
             let hidden = (is_outside && !is_plane).then_some(true);
-            return self.add_simple(scene, camera, index, (hidden, false), fineness, meshes);
+            return self.add_simple(scene, camera, index, (hidden, Role::Alone), fineness, meshes);
         };
+        if joined.tree.is_surface() {
+            return self.add_simple(scene, camera, joined.first, (None, Role::Surface), fineness, meshes);
+        }
         for (part, index) in (0..).zip(joined.parts()) {
             // Of what is cut away the inner side is seen.
             let hidden = is_outside.then_some(!joined.tree.is_inverted(part));
-            self.add_simple(scene, camera, index, (hidden, true), fineness, meshes);
+            self.add_simple(scene, camera, index, (hidden, Role::Part), fineness, meshes);
         }
     }
 
@@ -94,7 +108,7 @@ impl FaceList {
         scene: &RenderScene,
         camera: &RenderCamera,
         index: u32,
-        (hidden, is_part): (Option<bool>, bool),
+        (hidden, role): (Option<bool>, Role),
         fineness: u32,
         meshes: &mut MeshCache,
     ) {
@@ -102,10 +116,14 @@ impl FaceList {
         let mesh = meshes.of(body, camera, fineness);
         let first = self.vertices.len() as u32;
         self.add_vertices(body, index, &mesh);
+        let has_caps = body.canonical().kind.has_caps();
         for corners in &mesh.faces {
+            if role == Role::Surface && has_caps && mesh.is_on_cap(corners) {
+                continue;
+            }
             let corners = corners.map(|corner| corner + first);
             let Some(mut face) = self.face(corners, index) else { continue };
-            face.outward = is_part.then_some(face.normal);
+            face.outward = (role != Role::Alone).then_some(face.normal);
             face.start.inwards = face.normal.dot(camera.toward_viewer(face.middle)) < 0.0;
             if hidden == Some(face.start.inwards) {
                 continue;

@@ -2,6 +2,7 @@
 
 use crate::geometry::bvh::Bvh;
 use crate::geometry::bvh::packet::TraversalStack;
+use crate::geometry::joined::JoinedBody;
 use crate::geometry::query::joined::JoinedWalks;
 use crate::geometry::query::{BodyIntersection, BodyVisitor, HitRecord, RayQuery};
 use crate::geometry::ray::POINT_ROUNDING;
@@ -128,6 +129,25 @@ impl<W: Width> RayQuery<'_, W> {
         (index, distance): (u32, W::R),
         lanes: W::M,
     ) -> Transmittance<W> {
+        if let Some(body) = self.geometry.joined(index).filter(|body| body.tree.is_common())
+            && body
+                .parts()
+                .all(|part| self.geometry.body(part).material == self.geometry.body(index).material)
+        {
+            return self.w.run(
+                #[inline(always)]
+                || self.pass_common(scene, body, (index, distance), lanes),
+            );
+        }
+        self.pass_walked(scene, (index, distance), lanes)
+    }
+
+    fn pass_walked(
+        &self,
+        scene: &RenderScene,
+        (index, distance): (u32, W::R),
+        lanes: W::M,
+    ) -> Transmittance<W> {
         let mut ends = [0.0; MOST_LANES];
         distance.store(&mut ends);
         let passed = JoinedFilters::of(scene, self.walks(index, lanes), &ends);
@@ -136,11 +156,44 @@ impl<W: Width> RayQuery<'_, W> {
         Transmittance { lanes: lanes & !self.w.mask(passed.stopped), share: passed.is_filtered.then(share) }
     }
 
+    /// [`Self::pass_joined`] for what all parts have in common, of one material.
+    #[inline(always)]
+    fn pass_common(
+        &self,
+        scene: &RenderScene,
+        body: &JoinedBody,
+        (index, distance): (u32, W::R),
+        lanes: W::M,
+    ) -> Transmittance<W> {
+        let span = self.common_span(index, body, lanes);
+        let [entered, left] = span.crossed_before(distance);
+        let doubtful = span.doubtful();
+        let whole = self.geometry.body(index);
+        let mut passed = Transmittance { lanes, share: None };
+        if !whole.is_transparent() {
+            passed.lanes = lanes & !(entered | left);
+        } else if (entered | left).any() {
+            let filter = scene.material(whole).filter;
+            let one = all_of(self.w);
+            let once = Vector::select(entered, one.times_all(filter), one);
+            passed.share = Some(Vector::select(left, once.times_all(filter), once));
+        }
+        if doubtful.any() {
+            let walked = self.pass_walked(scene, (index, distance), doubtful);
+            passed.lanes = passed.lanes & (walked.lanes | !doubtful);
+            if let Some(share) = walked.share {
+                let own = passed.share.unwrap_or_else(|| all_of(self.w));
+                passed.share = Some(Vector::select(doubtful, share, own));
+            }
+        }
+        passed
+    }
+
     /// Notes the parts of the way to a light that lie within a transparent joined body.
     #[cold]
     #[inline(never)]
     fn note_joined(&self, index: u32, distance: W::R, lanes: W::M, intervals: &mut MediumIntervals) {
-        if self.geometry.body(index).is_transparent() {
+        if self.geometry.body(index).is_transparent() && !self.geometry.is_surface(index) {
             let mut ends = [0.0; MOST_LANES];
             distance.store(&mut ends);
             note_walks(self.walks(index, lanes), index, &ends, intervals);

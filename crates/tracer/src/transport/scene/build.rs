@@ -252,7 +252,7 @@ impl<'a> ChunkBuild<'a> {
                 self.add_members(place, &body.form(), &body.material, DAffine3::IDENTITY)?;
                 (RenderBody::NONE, None)
             }
-            Shape::Union | Shape::Intersection | Shape::Difference => {
+            Shape::Union | Shape::Intersection | Shape::Difference | Shape::Surface => {
                 self.join(place, &body.form(), &body.material, DAffine3::IDENTITY)?
             }
             _ => {
@@ -310,7 +310,7 @@ impl<'a> ChunkBuild<'a> {
                     self.add_members(place, &form, material, frame)?;
                     continue;
                 }
-                Shape::Union | Shape::Intersection | Shape::Difference => {
+                Shape::Union | Shape::Intersection | Shape::Difference | Shape::Surface => {
                     let (body, search) = self.join(place, &form, material, frame)?;
                     (body, None, search)
                 }
@@ -327,7 +327,7 @@ impl<'a> ChunkBuild<'a> {
         Ok(())
     }
 
-    /// Adds the parts of a union, an intersection or a difference that stands in the frame `around`. What is made of them,
+    /// Adds the parts of what is joined that stands in the frame `around`. What is made of them,
     /// and where searches look for it: nowhere if it is empty.
     fn join(
         &mut self,

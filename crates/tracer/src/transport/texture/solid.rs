@@ -124,22 +124,24 @@ impl SolidNode {
         }
     }
 
-    /// Whether a point has the second color, where points have one or the other: one given in the body's frame, or for a
-    /// body in double precision in the space of the rays; beyond 2²² cells, what single precision makes of that.
+    /// How much of the second color a point has: one given in the body's frame, or for a body in double precision in the
+    /// space of the rays; beyond 2²² cells, what single precision makes of that.
     #[inline(always)]
-    fn is_second<R: Float32>(&self, point: Vector<R>) -> R::Mask {
+    fn second<R: Float32>(&self, point: Vector<R>) -> SecondColor<R> {
         /// 1.5·2²³ leaves no room for a fraction: what is added to it stands in the low bits of the sum.
         const ROUND: f32 = 12_582_912.0;
         let origin = ROUND + f32::from(self.odd_origin);
-        match self.kind {
+        let is_odd = match self.kind {
+            SolidKind::Gradient => {
+                let x = self.cells(point, Self::BORDER).x;
+                return SecondColor::Share(x - x.floor());
+            }
             SolidKind::Rings => {
                 let cells = self.cells(point, 0.0);
                 let radius = cells.x.times_plus(cells.x, cells.z * cells.z).sqrt() + Self::BORDER;
                 (radius.floor() + origin).to_word().has(1)
             }
-            SolidKind::Stripes | SolidKind::Gradient => {
-                (self.cells(point, Self::BORDER).x.floor() + origin).to_word().has(1)
-            }
+            SolidKind::Stripes => (self.cells(point, Self::BORDER).x.floor() + origin).to_word().has(1),
             SolidKind::Checker => {
                 let cells = self.cells(point, Self::BORDER).map(R::floor);
                 let x = (cells.x + origin).to_word();
@@ -147,22 +149,26 @@ impl SolidNode {
                 let z = (cells.z + ROUND).to_word();
                 x.plus(y).plus(z).has(1)
             }
-        }
+        };
+        SecondColor::Where(is_odd)
     }
 
     /// The share of the second color at a point.
     #[inline(always)]
     pub(crate) fn share<R: Float32>(&self, point: Vector<R>) -> R {
-        match self.kind {
-            SolidKind::Gradient => {
-                let x = self.cells(point, Self::BORDER).x;
-                x - x.floor()
-            }
-            SolidKind::Checker | SolidKind::Stripes | SolidKind::Rings => {
-                R::select(self.is_second(point), point.x.like(1.0), point.x.like(0.0))
-            }
+        match self.second(point) {
+            SecondColor::Share(share) => share,
+            SecondColor::Where(points) => R::select(points, point.x.like(1.0), point.x.like(0.0)),
         }
     }
+}
+
+/// The second color of points.
+enum SecondColor<R: Float32> {
+    /// Those that have it; the others have the first.
+    Where(R::Mask),
+    /// The share that each has of it.
+    Share(R),
 }
 
 /// Adds a pattern and those within it to a row; returns its place there.
@@ -186,7 +192,7 @@ fn add(solid: &SolidTexture, in_space: [DAffine3; 2], first_of: u8, row: &mut Ve
     place as u8
 }
 
-/// The colors of a body whose patterns begin at this place of the list, at points as [`SolidNode::is_second`] has them;
+/// The colors of a body whose patterns begin at this place of the list, at points as [`SolidNode::share`] has them;
 /// `own` is the color of the material there.
 #[inline(always)]
 pub(crate) fn patterned<W: Width>(
@@ -201,11 +207,9 @@ pub(crate) fn patterned<W: Width>(
         return nested::<W>(w, solids, place, own, point);
     }
     let second = Vector::splat(w.real(0.0), outermost.color);
-    match outermost.kind {
-        SolidKind::Gradient => own.plus_times(second - own, outermost.share(point)),
-        SolidKind::Checker | SolidKind::Stripes | SolidKind::Rings => {
-            Vector::select(outermost.is_second(point), second, own)
-        }
+    match outermost.second(point) {
+        SecondColor::Share(share) => own.plus_times(second - own, share),
+        SecondColor::Where(points) => Vector::select(points, second, own),
     }
 }
 

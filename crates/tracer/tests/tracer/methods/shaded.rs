@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 
 use catoptric_scene::{
-    Body, BodyPart, Coated, Color, Conductor, Example, Light, Material, MaterialChoice, MetalOptics, Pattern,
-    Phong, Placement, Projection, Scene, Shape, SolidTexture,
+    Anchor, Body, BodyPart, Coated, Color, Conductor, Example, Light, Material, MaterialChoice, MetalOptics,
+    Pattern, Phong, Placement, Projection, Scene, Shape, ShapeKind, SolidTexture,
 };
 use catoptric_tracer::RenderScene;
 use catoptric_tracer::raster::{LightModel, Method, ShadingSettings};
@@ -325,9 +325,28 @@ fn joined_bodies_have_their_shape_in_all_three() {
         ],
         DVec3::new(2.0, 1.0, 0.2),
     );
+    let open = |kind: ShapeKind, at: DVec3, turn: DVec3| {
+        let anchor = Anchor::Frame { position: at, rotation_degrees: turn };
+        let placement = Placement { anchor, scale: DVec3::ONE };
+        let material = MaterialChoice::own(glow(0.7, 0.5, 0.9));
+        Body { placement, material, ..Body::of_shape(kind.body_shape()) }
+    };
+    let pipe = open(ShapeKind::OpenCylinder, DVec3::new(-0.9, 0.0, 1.9), v(0.0, 0.0, -20.0));
+    let sail = open(ShapeKind::Triangle, DVec3::new(1.1, 0.6, 1.6), v(80.0, 20.0, 0.0));
+    let dome = joined(
+        Shape::Surface,
+        vec![
+            part(Shape::Sphere { radius: 0.7 }, DVec3::ZERO),
+            of([0.1, 0.3, 0.9], part(Shape::Cube { size: v(1.0, 2.0, 2.0) }, v(0.2, 0.2, 0.4))),
+        ],
+        DVec3::new(-2.6, 2.3, 0.2),
+    );
     let floor = body(Shape::Plane, DVec3::ZERO, glow(0.3, 0.4, 0.5));
-    let scene =
-        scene(vec![die, tube, lens, floor], camera(v(0.6, 3.6, 6.0), v(0.0, 0.6, 0.0), 42.0), Vec::new());
+    let scene = scene(
+        vec![die, tube, lens, pipe, sail, dome, floor],
+        camera(v(0.6, 3.6, 6.0), v(0.0, 0.6, 0.0), 42.0),
+        Vec::new(),
+    );
     let render_scene = render_scene(&scene).with_generations(1);
     let truth = traced(&render_scene, size(240, 160));
     for method in [Method::Flat, Method::Gouraud, Method::Phong] {

@@ -410,6 +410,16 @@ fn planes_cut_what_they_are_joined_with() {
         assert_close(found[0], expected[0], 1e-6);
         assert_close(found[1], expected[1], 1e-6);
     }
+    // Along its surface a line lies within a half-space, or outside of it.
+    let slab = part(Shape::Cube { size: v(2.0, 2.0, 2.0) }, DVec3::ZERO);
+    let lower = stage_of(vec![joined(
+        Shape::Intersection,
+        vec![slab, part(Shape::Plane, v(0.0, 0.25, 0.0))],
+        glowing(Color::WHITE),
+    )]);
+    for (y, count) in [(-0.5, 2), (0.0, 2), (0.2, 2), (0.3, 0), (0.9, 0)] {
+        assert_eq!(crossed(&lower, ray(v(5.0, y, 0.1), DVec3::NEG_X)).len(), count, "at {y}");
+    }
     // A plane with a round hole has no end.
     let sheet = stage_of(vec![joined(
         Shape::Difference,

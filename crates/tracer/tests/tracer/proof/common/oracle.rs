@@ -50,6 +50,7 @@ fn contains<'p>(form: &Form<'_>, parts: &mut impl Iterator<Item = &'p PlacedPart
     // Every part is asked, so that the next form has its own.
     let inside: Vec<bool> = form.parts.iter().map(|part| contains(&part.form(), parts, p)).collect();
     match form.shape {
+        Shape::Surface => false,
         Shape::Intersection => inside.iter().all(|is_in| *is_in),
         Shape::Difference => inside[0] && !inside[1..].contains(&true),
         _ => inside.contains(&true),
@@ -63,6 +64,9 @@ impl<'a> Placed<'a> {
 
     /// Where a line crosses the surface: the parameter, the outward normal, and what the surface is made of.
     fn crossings(&self, origin: DVec3, direction: DVec3) -> Vec<(f64, DVec3, &'a Phong)> {
+        if self.form.shape == Shape::Surface {
+            return self.surface_crossings(origin, direction);
+        }
         let mut all: Vec<_> = self.parts.iter().flat_map(|part| part.crossings(origin, direction)).collect();
         if self.parts.len() == 1 {
             return all;
@@ -74,6 +78,20 @@ impl<'a> Placed<'a> {
             let enters = is_in(*t + STEP);
             *normal *= if (normal.dot(direction) < 0.0) == enters { 1.0 } else { -1.0 };
             enters != is_in(*t - STEP)
+        });
+        all
+    }
+
+    /// Of a surface those of the first part count, but for its caps, that lie in all others.
+    fn surface_crossings(&self, origin: DVec3, direction: DVec3) -> Vec<(f64, DVec3, &'a Phong)> {
+        let (first, others) = self.parts.split_first().unwrap();
+        let mut all = first.crossings(origin, direction);
+        all.retain(|&(t, normal, _)| {
+            let in_body = first.world_from_body.transpose() * normal;
+            let is_round =
+                matches!(first.shape, Shape::Cylinder { .. } | Shape::Cone { .. } | Shape::Paraboloid { .. });
+            let is_cap = is_round && in_body.x.hypot(in_body.z) < 1e-6 * in_body.length();
+            !is_cap && others.iter().all(|other| other.contains(origin + t * direction))
         });
         all
     }
@@ -116,7 +134,7 @@ impl<'a> PlacedPart<'a> {
                 0.5 * std::f64::consts::PI * radius * radius * depth.height(radius)
             }
             Shape::Plane => f64::INFINITY,
-            Shape::Union | Shape::Intersection | Shape::Difference | Shape::Group => {
+            Shape::Union | Shape::Intersection | Shape::Difference | Shape::Surface | Shape::Group => {
                 unreachable!("parts are simple")
             }
         };
@@ -199,6 +217,8 @@ impl<'a> Oracle<'a> {
         if filter(material) != DVec3::ZERO {
             let mut beyond = media.to_vec();
             match beyond.iter().rposition(|&inside| inside == hit.body) {
+                // Beyond a surface there is what was before it.
+                _ if self.bodies[hit.body].form.shape == Shape::Surface => {}
                 Some(place) => drop(beyond.remove(place)),
                 None => beyond.push(hit.body),
             }

@@ -1,0 +1,53 @@
+//! An open cylinder: a cylinder without its caps.
+
+use glam::DVec3;
+
+use super::{Expansion, Parametric, cylinder, round_extent};
+
+/// The curved surface of a cylinder from the origin along +Y. It has no inside.
+///
+/// ```toml
+/// [[bodies]]
+/// shape = "open-cylinder"
+/// radius = 0.5
+/// height = 2.0
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OpenCylinder {
+    /// Default 0.5.
+    pub radius: f64,
+    /// Default 1.
+    pub height: f64,
+}
+
+impl Default for OpenCylinder {
+    fn default() -> Self {
+        Self { radius: 0.5, height: 1.0 }
+    }
+}
+
+impl Parametric for OpenCylinder {
+    fn number(&self, key: &str) -> Option<f64> {
+        match key {
+            "radius" => Some(self.radius),
+            "height" => Some(self.height),
+            _ => None,
+        }
+    }
+
+    fn set_number(&mut self, key: &str, value: f64) {
+        match key {
+            "radius" => self.radius = value,
+            "height" => self.height = value,
+            _ => {}
+        }
+    }
+
+    fn extent(&self) -> [DVec3; 2] {
+        round_extent(self.radius, 0.0, self.height)
+    }
+
+    fn expansion(&self) -> Expansion {
+        Expansion::surface(cylinder(self.radius, 0.0, self.height), [])
+    }
+}

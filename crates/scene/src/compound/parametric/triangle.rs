@@ -1,0 +1,70 @@
+//! A triangle: the part of a plane between three corners.
+
+use glam::DVec3;
+
+use super::polygon::{self, FLAT};
+use super::{BrokenSize, Expansion, Parametric, SizeFault};
+
+/// A flat triangle. Its normal is on the side from which the corners go around against the clock. It has no thickness, and
+/// no inside.
+///
+/// ```toml
+/// [[bodies]]
+/// shape = "triangle"
+/// a = [-0.5, 0.0, 0.5]
+/// b = [0.5, 0.0, 0.5]
+/// c = [0.0, 0.0, -0.5]
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Triangle {
+    /// A corner, meters. Default (−0.5, 0, 0.5).
+    pub a: DVec3,
+    /// Another one. Default (0.5, 0, 0.5).
+    pub b: DVec3,
+    /// The third one. Default (0, 0, −0.5).
+    pub c: DVec3,
+}
+
+impl Default for Triangle {
+    fn default() -> Self {
+        Self { a: DVec3::new(-0.5, 0.0, 0.5), b: DVec3::new(0.5, 0.0, 0.5), c: DVec3::new(0.0, 0.0, -0.5) }
+    }
+}
+
+impl Triangle {
+    fn corners(&self) -> [DVec3; 3] {
+        [self.a, self.b, self.c]
+    }
+}
+
+impl Parametric for Triangle {
+    fn number(&self, _key: &str) -> Option<f64> {
+        None
+    }
+
+    fn set_number(&mut self, _key: &str, _value: f64) {}
+
+    fn vector_mut(&mut self, key: &str) -> Option<&mut DVec3> {
+        match key {
+            "a" => Some(&mut self.a),
+            "b" => Some(&mut self.b),
+            "c" => Some(&mut self.c),
+            _ => None,
+        }
+    }
+
+    fn broken_size(&self) -> Option<BrokenSize> {
+        let corners = self.corners();
+        let is_flat = polygon::normal(&corners).length() <= FLAT * polygon::longest_side(&corners).powi(2);
+        is_flat.then(|| SizeFault::FlatTriangle.at("c"))
+    }
+
+    fn extent(&self) -> [DVec3; 2] {
+        let [a, b, c] = self.corners();
+        [a.min(b).min(c), a.max(b).max(c)]
+    }
+
+    fn expansion(&self) -> Expansion {
+        polygon::expansion(&self.corners())
+    }
+}

@@ -1,0 +1,132 @@
+//! Where rays cross what all parts of a joined body have in common.
+//!
+//! An intersection of convex parts is convex: a ray is in it from the last of the parts' entries to the first of their
+//! exits, which is found for rays side by side. Rays for which rounding may decide are left to the walk.
+
+use crate::geometry::joined::JoinedBody;
+use crate::geometry::query::closest::GRAZING;
+use crate::geometry::query::joined::FirstCrossings;
+use crate::geometry::query::{JoinedHits, RayQuery};
+use crate::geometry::ray::{INWARDS, POINT_ROUNDING};
+use crate::simd::{Float as _, Mask as _, Width, Word as _};
+
+/// Where rays cross the surface of an intersection.
+pub(crate) struct CommonSpan<W: Width> {
+    enter: CommonCrossing<W>,
+    exit: CommonCrossing<W>,
+    /// Those that enter it ahead, and those that start within; both leave it.
+    entering: W::M,
+    within: W::M,
+    /// Those that have to be walked: they are in neither.
+    doubtful: W::M,
+}
+
+/// Where rays cross the surface of the part that decides.
+struct CommonCrossing<W: Width> {
+    t: W::R,
+    part: W::W,
+    face: W::R,
+    /// Where they cross that of the part that decides without it.
+    second: W::R,
+}
+
+impl<W: Width> CommonCrossing<W> {
+    fn new(w: W, t: f32) -> Self {
+        Self { t: w.real(t), part: w.word(0), face: w.real(0.0), second: w.real(t) }
+    }
+
+    /// Takes note of another part's crossing, where that `decides`.
+    #[inline(always)]
+    fn offer(&mut self, w: W, part: u32, (t, face): (W::R, W::R), decides: W::M) {
+        self.t = W::R::select(decides, t, self.t);
+        self.part = W::W::select(decides, w.word(part), self.part);
+        self.face = W::R::select(decides, face, self.face);
+    }
+}
+
+impl<W: Width> CommonSpan<W> {
+    /// The rays that enter the body, and where, if that is before `end`; and those that leave it before.
+    #[inline(always)]
+    pub(crate) fn crossed_before(&self, end: W::R) -> [W::M; 2] {
+        let leaving = self.entering | self.within;
+        [self.entering & self.enter.t.lt(end), leaving & self.exit.t.lt(end)]
+    }
+
+    pub(crate) fn doubtful(&self) -> W::M {
+        self.doubtful
+    }
+}
+
+impl<W: Width> RayQuery<'_, W> {
+    /// Where rays first cross the surface of the intersection at this place.
+    #[inline(always)]
+    pub(crate) fn first_of_common(&self, index: u32, body: &JoinedBody, lanes: W::M) -> JoinedHits<W> {
+        let CommonSpan { enter, exit, entering, within, doubtful } = self.common_span(index, body, lanes);
+        let hits = JoinedHits {
+            t: W::R::select(entering, enter.t, exit.t),
+            part: W::W::select(entering, enter.part, exit.part),
+            face: W::R::select(entering, enter.face, exit.face),
+            entering,
+            leaving: within,
+        };
+        if !doubtful.any() {
+            return hits;
+        }
+        let walked = FirstCrossings::of(self.walks(index, doubtful)).hits(self.w);
+        JoinedHits {
+            t: W::R::select(doubtful, walked.t, hits.t),
+            part: W::W::select(doubtful, walked.part, hits.part),
+            face: W::R::select(doubtful, walked.face, hits.face),
+            entering: hits.entering | walked.entering,
+            leaving: hits.leaving | walked.leaving,
+        }
+    }
+
+    /// Where rays `lanes` cross the surface of an intersection.
+    #[inline(always)]
+    pub(crate) fn common_span(&self, index: u32, body: &JoinedBody, lanes: W::M) -> CommonSpan<W> {
+        let w = self.w;
+        let infinity = w.real(f32::INFINITY);
+        let mut enter = CommonCrossing::new(w, f32::NEG_INFINITY);
+        let mut exit = CommonCrossing::new(w, f32::INFINITY);
+        let mut hit = lanes;
+        let mut from_own = w.mask(0);
+        let starts = self.start.and(!INWARDS);
+        for part in body.parts() {
+            let mut span = self.part_span(part);
+            let own = starts.is(part) & lanes;
+            if own.any() {
+                // It is met once more from within, and never from outside.
+                let inwards = self.start.has(INWARDS);
+                span.enter = W::R::select(own, -infinity, span.enter);
+                span.exit = W::R::select(own, span.exit.max(w.real(0.0)), span.exit);
+                span.hit = (span.hit & !own) | (own & inwards);
+                from_own = from_own | own;
+            }
+            hit = hit & span.hit;
+            let later = span.enter.gt(enter.t);
+            enter.second = enter.second.max(enter.t.min(span.enter));
+            enter.offer(w, part, (span.enter, span.enter_face), later);
+            let earlier = span.exit.lt(exit.t);
+            exit.second = exit.second.min(exit.t.max(span.exit));
+            exit.offer(w, part, (span.exit, span.exit_face), earlier);
+        }
+        hit = hit & enter.t.le(exit.t);
+        let larger = self.origin_error_bound() + self.geometry.body(index).error_bound;
+        let at_start = larger * GRAZING;
+        let near = |t: W::R| t.times_plus(w.real(GRAZING * POINT_ROUNDING), at_start);
+        let (ahead, behind) = (enter.t.gt(at_start), exit.t.lt(-at_start));
+        let (entering, within) = (hit & ahead, hit & enter.t.lt(-at_start) & exit.t.gt(at_start));
+        let mut doubtful = (hit & !behind & !(entering | within))
+            | (entering & (enter.t - enter.second).le(near(enter.t)))
+            | ((entering | within) & (exit.second - exit.t).le(near(exit.t)))
+            | (entering & (exit.t - enter.t).le(near(exit.t)))
+            | (entering & from_own);
+        let whole = self.geometry.body(index);
+        if whole.is_transparent() && self.geometry.has_transparency {
+            let known = w.mask(self.membership.of(index));
+            doubtful = doubtful | (entering & known) | (within & !known & !from_own);
+        }
+        CommonSpan { enter, exit, entering: entering & !doubtful, within: within & !doubtful, doubtful }
+    }
+}
