@@ -31,7 +31,7 @@ enum Chore {
     Methods,
     /// Write a scene of very many bodies, for measuring
     Cloud(scenes::CloudArguments),
-    /// Time the tracer against POV-Ray and other renderers on nine scenes, by turns
+    /// Time the tracer against POV-Ray and other renderers on ten scenes, by turns
     Bench(bench::BenchArguments),
     /// Time the tracer on a graphics card
     BenchGpu(bench_gpu::BenchGpuArguments),

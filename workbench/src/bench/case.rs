@@ -1,4 +1,4 @@
-//! The nine scenes.
+//! The scenes to measure.
 
 use std::path::PathBuf;
 
@@ -10,7 +10,7 @@ use catoptric_store::{load, save};
 use xtask::root;
 
 use super::folder;
-use crate::scenes::{glass_grid, sphereflake};
+use crate::scenes::{glass_grid, lens_grid, sphereflake};
 
 use crate::povray;
 
@@ -26,7 +26,7 @@ pub(super) struct Case {
 }
 
 #[rustfmt::skip]
-pub(super) const CASES: [Case; 9] = [
+pub(super) const CASES: [Case; 10] = [
     Case { label: "B1", name: "whitted", least_percent: 99.9, make: || reference("whitted") },
     Case { label: "B2", name: "four-bodies", least_percent: 99.9, make: || reference("four-bodies") },
     Case { label: "B3", name: "mirrors", least_percent: 99.9, make: || reference("mirrors") },
@@ -36,6 +36,7 @@ pub(super) const CASES: [Case; 9] = [
     Case { label: "B7", name: "cloud-100000", least_percent: 99.1, make: || Ok(cloud(100_000)) },
     Case { label: "B8", name: "cloud-1000000", least_percent: 98.6, make: || Ok(cloud(1_000_000)) },
     Case { label: "B9", name: "glass-grid", least_percent: 99.4, make: || Ok(glass_grid()) },
+    Case { label: "B10", name: "lenses-1000", least_percent: 98.5, make: || Ok(lens_grid()) },
 ];
 
 fn reference(name: &str) -> Result<Scene> {
@@ -85,7 +86,7 @@ mod tests {
                 assert_eq!(find(text).unwrap().label, case.label);
             }
         }
-        assert!(find("B10").unwrap_err().contains("B9 glass-grid"));
+        assert!(find("B11").unwrap_err().contains("B9 glass-grid"));
     }
 
     #[test]

@@ -1,8 +1,9 @@
-//! Glass spheres in a grid, for measuring trees of many generations.
+//! Glass in a grid, for measuring trees of many generations: spheres, or lenses.
 
 use catoptric_scene::{
-    Body, Camera, Color, Light, Material, MaterialChoice, NamedMaterial, Pattern, Phong, Placement,
-    Projection, Scene, Shape, SolidTexture, Tracing,
+    Anchor, Body, BodyShape, Camera, Color, Lens, LensCurvature, Light, Material, MaterialChoice,
+    NamedMaterial, ParametricShape, Pattern, Phong, Placement, Projection, Scene, Shape, SolidTexture,
+    Tracing,
 };
 use glam::DVec3;
 
@@ -13,6 +14,43 @@ const SPACING: f64 = 1.2;
 
 /// 27 spheres of the glass of the reference scene `whitted`, 3×3×3, over its checkered floor without reflection.
 pub(crate) fn glass_grid() -> Scene {
+    let steps = [-SPACING, 0.0, SPACING];
+    let spheres = steps.into_iter().flat_map(|y| {
+        let row = move |z| steps.map(move |x| DVec3::new(x, y, z));
+        steps.into_iter().flat_map(row).map(|at| Body {
+            shape: Shape::Sphere { radius: RADIUS },
+            placement: Placement::at(at + DVec3::Y * (SPACING + 0.6)),
+            material: MaterialChoice::Named(GLASS.to_owned()),
+            ..Body::default()
+        })
+    });
+    over_floor(spheres)
+}
+
+/// 1,000 biconvex lenses of that glass, 10×10×10, each turned its own way.
+pub(crate) fn lens_grid() -> Scene {
+    const SIDE: u32 = 10;
+    let step = 3.0 * SPACING / f64::from(SIDE);
+    let curvature = LensCurvature::Radii { front: 0.75 * step, back: -0.75 * step };
+    let lens = Lens { radius: 0.42 * step, thickness: 0.3 * step, curvature };
+    let shape = BodyShape::Parametric(ParametricShape::Lens(lens));
+    let lenses = (0..SIDE.pow(3)).map(|number| {
+        let place = |divisor: u32| f64::from(number / divisor % SIDE) - 0.5 * f64::from(SIDE - 1);
+        let at = step * DVec3::new(place(1), place(SIDE * SIDE), place(SIDE));
+        let turn = 137.5 * f64::from(number);
+        let rotation_degrees = DVec3::new(turn % 360.0, 0.7 * turn % 360.0, 0.0);
+        let anchor = Anchor::Frame { position: at + DVec3::Y * (SPACING + 0.6), rotation_degrees };
+        Body {
+            placement: Placement { anchor, scale: DVec3::ONE },
+            material: MaterialChoice::Named(GLASS.to_owned()),
+            ..Body::of_shape(shape)
+        }
+    });
+    over_floor(lenses)
+}
+
+/// Bodies of glass over the floor.
+fn over_floor(glass_bodies: impl Iterator<Item = Body>) -> Scene {
     let floor = Material::Phong(Phong {
         pattern: Pattern {
             color: Color::gray(0.85),
@@ -38,17 +76,7 @@ pub(crate) fn glass_grid() -> Scene {
         material: MaterialChoice::Inline(Box::new(floor)),
         ..Body::default()
     }];
-    let steps = [-SPACING, 0.0, SPACING];
-    for y in steps {
-        for z in steps {
-            bodies.extend(steps.map(|x| Body {
-                shape: Shape::Sphere { radius: RADIUS },
-                placement: Placement::at(DVec3::new(x, y + SPACING + 0.6, z)),
-                material: MaterialChoice::Named(GLASS.to_owned()),
-                ..Body::default()
-            }));
-        }
-    }
+    bodies.extend(glass_bodies);
     Scene {
         camera: Camera {
             position: DVec3::new(3.0, 3.4, 7.0),
@@ -86,6 +114,21 @@ mod tests {
         for (index, center) in centers.iter().enumerate() {
             assert!(center.y > RADIUS);
             assert!(centers[..index].iter().all(|other| center.distance(*other) > 2.0 * RADIUS));
+        }
+    }
+
+    #[test]
+    fn the_lenses_stand_apart_above_the_floor() {
+        let scene = lens_grid();
+        assert!(scene.check().is_empty(), "{:?}", scene.check());
+        assert_eq!(scene.bodies.len(), 1001);
+        let step = 3.0 * SPACING / 10.0;
+        for body in scene.bodies.iter().skip(1) {
+            let corners = body.box_corners().unwrap();
+            let middle = corners.into_iter().sum::<DVec3>() / 8.0;
+            assert!(
+                corners.into_iter().all(|corner| corner.distance(middle) < 0.65 * step && corner.y > 0.0)
+            );
         }
     }
 
