@@ -104,11 +104,11 @@ impl JoinTree {
         0
     }
 
-    /// Whether it is what all parts have in common, which is convex.
+    /// Whether it is what all parts have in common, which is convex, or a surface within that.
     pub(crate) fn is_common(&self) -> bool {
         let all = u64::MAX.checked_shr(u64::BITS - self.parts).unwrap_or_default();
         let [gate] = self.gates.as_slice() else { return false };
-        gate.needs_all && gate.parts == all && self.inverted == 0 && !self.is_surface
+        gate.needs_all && gate.parts == all && self.inverted == 0
     }
 
     /// Whether it is a surface without inside.

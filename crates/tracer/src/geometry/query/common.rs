@@ -1,22 +1,24 @@
 //! Where rays cross what all parts of a joined body have in common.
 //!
 //! An intersection of convex parts is convex: a ray is in it from the last of the parts' entries to the first of their
-//! exits, which is found for rays side by side. Rays for which rounding may decide are left to the walk.
+//! exits, which is found for rays side by side. So it is with a surface: where it is met has to lie between these. Rays for
+//! which rounding may decide are left to the walk.
 
 use crate::geometry::joined::JoinedBody;
 use crate::geometry::query::closest::GRAZING;
 use crate::geometry::query::joined::FirstCrossings;
 use crate::geometry::query::{JoinedHits, RayQuery};
 use crate::geometry::ray::{INWARDS, POINT_ROUNDING};
+use crate::geometry::shape::SIDE;
 use crate::simd::{Float as _, Mask as _, Width, Word as _};
 
-/// Where rays cross the surface of an intersection.
+/// Where rays cross the surface of an intersection, or a surface within it.
 pub(crate) struct CommonSpan<W: Width> {
     enter: CommonCrossing<W>,
     exit: CommonCrossing<W>,
-    /// Those that enter it ahead, and those that start within; both leave it.
+    /// Those that enter ahead, and those that leave ahead, whether they have entered before or not.
     entering: W::M,
-    within: W::M,
+    leaving: W::M,
     /// Those that have to be walked: they are in neither.
     doubtful: W::M,
 }
@@ -48,8 +50,7 @@ impl<W: Width> CommonSpan<W> {
     /// The rays that enter the body, and where, if that is before `end`; and those that leave it before.
     #[inline(always)]
     pub(crate) fn crossed_before(&self, end: W::R) -> [W::M; 2] {
-        let leaving = self.entering | self.within;
-        [self.entering & self.enter.t.lt(end), leaving & self.exit.t.lt(end)]
+        [self.entering & self.enter.t.lt(end), self.leaving & self.exit.t.lt(end)]
     }
 
     pub(crate) fn doubtful(&self) -> W::M {
@@ -58,16 +59,16 @@ impl<W: Width> CommonSpan<W> {
 }
 
 impl<W: Width> RayQuery<'_, W> {
-    /// Where rays first cross the surface of the intersection at this place.
+    /// Where rays first cross the body at this place, which is [common](crate::geometry::joined::JoinTree::is_common).
     #[inline(always)]
     pub(crate) fn first_of_common(&self, index: u32, body: &JoinedBody, lanes: W::M) -> JoinedHits<W> {
-        let CommonSpan { enter, exit, entering, within, doubtful } = self.common_span(index, body, lanes);
+        let CommonSpan { enter, exit, entering, leaving, doubtful } = self.common_span(index, body, lanes);
         let hits = JoinedHits {
             t: W::R::select(entering, enter.t, exit.t),
             part: W::W::select(entering, enter.part, exit.part),
             face: W::R::select(entering, enter.face, exit.face),
             entering,
-            leaving: within,
+            leaving: leaving & !entering,
         };
         if !doubtful.any() {
             return hits;
@@ -82,9 +83,59 @@ impl<W: Width> RayQuery<'_, W> {
         }
     }
 
-    /// Where rays `lanes` cross the surface of an intersection.
+    /// Where rays `lanes` cross the body at this place.
     #[inline(always)]
     pub(crate) fn common_span(&self, index: u32, body: &JoinedBody, lanes: W::M) -> CommonSpan<W> {
+        match body.tree.is_surface() {
+            true => self.surface_span(body, lanes),
+            false => self.intersection_span(index, body, lanes),
+        }
+    }
+
+    /// Where they cross the surface of the first part within all others.
+    #[inline(always)]
+    fn surface_span(&self, body: &JoinedBody, lanes: W::M) -> CommonSpan<W> {
+        let (w, first) = (self.w, body.first);
+        let infinity = w.real(f32::INFINITY);
+        let (mut low, mut high) = (-infinity, infinity);
+        let mut in_others = lanes;
+        for part in body.parts().skip(1) {
+            let span = self.part_span(part);
+            low = low.max(span.enter);
+            high = high.min(span.exit);
+            in_others = in_others & span.hit;
+        }
+        let span = self.part_span(first);
+        let surface = self.geometry.body(first);
+        let own = self.start.and(!INWARDS).is(first);
+        let from_inside = own & self.start.has(INWARDS);
+        let at_start = (self.origin_error_bound() + surface.error_bound) * GRAZING;
+        let has_caps = surface.canonical().kind.has_caps();
+        let shown = |t: W::R, face: W::R| {
+            let shown = in_others & t.ge(low) & t.le(high);
+            if has_caps { shown & face.eq(w.real(SIDE)) } else { shown }
+        };
+        let (enter, exit) = (span.enter, span.exit);
+        // It is met once more from within, and never from outside.
+        let own_exit = exit.max(w.real(0.0));
+        let exit = W::R::select(from_inside, own_exit, exit);
+        let entered = span.hit & !own & shown(enter, span.enter_face);
+        let left = (span.hit & !own | from_inside) & shown(exit, span.exit_face);
+        let is_near = |t: W::R| t.abs().le(at_start);
+        let doubtful = entered & is_near(enter) | left & !own & is_near(exit);
+        let crossing = |t, face| CommonCrossing { t, part: w.word(first), face, second: t };
+        CommonSpan {
+            enter: crossing(enter, span.enter_face),
+            exit: crossing(exit, span.exit_face),
+            entering: entered & enter.gt(at_start) & !doubtful,
+            leaving: left & (own | exit.gt(at_start)) & !doubtful,
+            doubtful,
+        }
+    }
+
+    /// Where they cross the surface of what all parts have in common.
+    #[inline(always)]
+    fn intersection_span(&self, index: u32, body: &JoinedBody, lanes: W::M) -> CommonSpan<W> {
         let w = self.w;
         let infinity = w.real(f32::INFINITY);
         let mut enter = CommonCrossing::new(w, f32::NEG_INFINITY);
@@ -127,6 +178,7 @@ impl<W: Width> RayQuery<'_, W> {
             let known = w.mask(self.membership.of(index));
             doubtful = doubtful | (entering & known) | (within & !known & !from_own);
         }
-        CommonSpan { enter, exit, entering: entering & !doubtful, within: within & !doubtful, doubtful }
+        let leaving = (entering | within) & !doubtful;
+        CommonSpan { enter, exit, entering: entering & !doubtful, leaving, doubtful }
     }
 }
