@@ -12,7 +12,7 @@ pub(crate) struct Word<'t> {
     pub(crate) span: Range<usize>,
 }
 
-/// The words of each line that has any, up to a `#` that begins a word. Of a line with more than [`MOST_WORDS`] so many
+/// The words of each line that has any, up to a `#` or `//` that begins a word. Of a line with more than [`MOST_WORDS`] so many
 /// and one more are given.
 pub(crate) fn lines(text: &str) -> impl Iterator<Item = Vec<Word<'_>>> {
     let body = text.strip_prefix('\u{feff}').unwrap_or(text);
@@ -29,7 +29,7 @@ fn words(line: &str, start: usize) -> Vec<Word<'_>> {
     let is_space = |letter: char| letter.is_whitespace();
     line.split(is_space)
         .filter(|word| !word.is_empty())
-        .take_while(|word| !word.starts_with('#'))
+        .take_while(|word| !word.starts_with('#') && !word.starts_with("//"))
         .take(MOST_WORDS + 1)
         .map(|word| {
             // A word is a part of its line.
@@ -59,7 +59,7 @@ mod tests {
 
     #[test]
     fn words_know_their_places() {
-        let found: Vec<_> = lines("\u{feff}A\t0.2  1,2,3 # x\r\n\n #\nжб c").flatten().collect();
+        let found: Vec<_> = lines("\u{feff}A\t0.2  1,2,3 # x\r\n\n #\nжб c // d").flatten().collect();
         let text: Vec<_> = found.iter().map(|word| (word.text, word.span.clone())).collect();
         assert_eq!(text, [("A", 3..4), ("0.2", 5..8), ("1,2,3", 10..15), ("жб", 25..29), ("c", 30..31)]);
     }

@@ -113,6 +113,9 @@ catoptric_scene::messages! {
     VerticalFov:
         "the field of view is taken as the vertical one",
         "угол зрения взят вертикальным";
+    RightHanded:
+        "with y up, looking along -z, x points to the right",
+        "при оси y вверх и взгляде вдоль -z ось x направлена вправо";
     CylinderAtCenter:
         "the position of a cylinder is taken as its center, and its ends as closed",
         "положение цилиндра взято как его центр, торцы — закрытыми";
@@ -143,6 +146,9 @@ catoptric_scene::messages! {
     NumbersAreFinish { element: String }:
         "the further numbers of `{element}` are taken as shininess, reflection and whether it is checkered",
         "остальные числа у `{element}` взяты как показатель блика, отражение и наличие шахматного узора";
+    NumbersAreHighlight { element: String }:
+        "the further numbers of `{element}` are taken as coefficient and exponent of the highlight, and reflection",
+        "остальные числа у `{element}` взяты как коэффициент и показатель блика и отражение";
 
     // The Ray Tracer Challenge.
     Yaml { fault: String }:
@@ -247,6 +253,9 @@ catoptric_scene::messages! {
     NoPattern { kind: String }:
         "the pattern `{kind}` is not drawn",
         "узор `{kind}` не рисуется";
+    PatternColors { kind: String, count: String }:
+        "the pattern `{kind}` has 2 colors, not {count}",
+        "у узора `{kind}` 2 цвета, а не {count}";
     MeanColor:
         "the mean of its colors is taken",
         "берётся среднее его цветов";

@@ -49,7 +49,7 @@ fn notes_are_told_and_errors_end_a_command() {
     );
     assert_eq!(folder.run("render a.rt -o a.png -q").errors, "");
     let found = folder.good("check a.rt");
-    assert!(found.ends_with("a.rt: good, 2 notes (1 body, 1 light)\n"), "{found}");
+    assert!(found.ends_with("a.rt: good, 3 notes (1 body, 1 light)\n"), "{found}");
     assert!(found.contains("2 | A 0.2 255,255,255\n"), "{found}");
     folder.write("b.rt", format!("{SCENE}to 0,0,0 1,0,0 2 1 1,2,3\nsp 0,0,0 -1 1,2,3\n"));
     let refused = folder.refused("render b.rt -o b.png");

@@ -22,7 +22,7 @@ impl ChallengeReader {
         context: &ObjectContext,
         span: &Range<usize>,
     ) -> Option<()> {
-        let operation = table.require(&["operation", "kind"], &mut self.draft);
+        let operation = table.require(&["operation", "kind", "op"], &mut self.draft);
         let sides = ["left", "right"].map(|key| table.require(&[key], &mut self.draft));
         table.end(&mut self.draft);
         let operation = operation?;

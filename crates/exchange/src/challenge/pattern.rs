@@ -59,7 +59,11 @@ impl ChallengeReader {
             return Some((mean, None));
         }
         let ([first, second], Some(kind)) = (layers.as_slice(), kind_of(&name)) else {
-            self.draft.unsupported(&kind.span, Message::NoPattern { kind: name }, Message::MeanColor);
+            let message = match kind_of(&name) {
+                Some(_) => Message::PatternColors { kind: name, count: layers.len().to_string() },
+                None => Message::NoPattern { kind: name },
+            };
+            self.draft.unsupported(&kind.span, message, Message::MeanColor);
             return Some((mean, None));
         };
         pattern.end(&mut self.draft);

@@ -238,11 +238,16 @@ impl ChallengeReader {
             self.draft.unsupported(span, Message::NotDrawn { name: name.to_owned() }, Message::LeftOut);
         } else {
             let names = SHAPES.iter().copied().chain(self.definitions.keys().map(String::as_str));
+            let unknown = Message::UnknownShape { name: name.to_owned() };
+            if self.draft.options.is_approximate {
+                self.draft.unsupported(span, unknown, Message::LeftOut);
+                return Some(());
+            }
             let help = match nearest(name, names) {
                 Some(near) => Message::DidYouMean { word: near.to_owned() },
                 None => Message::ShapesAre,
             };
-            self.draft.error_with_help(span, Message::UnknownShape { name: name.to_owned() }, help);
+            self.draft.error_with_help(span, unknown, help);
         }
         Some(())
     }
@@ -277,7 +282,10 @@ impl ChallengeReader {
         table.end(draft);
         let ([Some(from), Some(to)], Some(fov)) = (ends, fov) else { return None };
         let size @ [width, height] = draft.size.unwrap_or(DEFAULT_SIZE);
-        let degrees = fov.to_degrees();
+        // The book's view transform is scaled by the sine of the angle between the view and `up`: the picture shows more.
+        let sine = (to - from).normalize_or_zero().cross(up.normalize_or_zero()).length();
+        let half = (0.5 * fov).tan() / if sine > 0.0 { sine } else { 1.0 };
+        let degrees = 2.0 * half.atan().to_degrees();
         // The angle belongs to the longer side (Buck 2019, chapter 7).
         let fov_degrees = if width >= height { vertical_from_horizontal(degrees, size) } else { degrees };
         draft.camera_span = span;

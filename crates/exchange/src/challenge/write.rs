@@ -55,7 +55,10 @@ fn camera(camera: &Camera, size @ [width, height]: [u32; 2], out: &mut SceneText
     out.line(&format!("  width: {width}"));
     out.line(&format!("  height: {height}"));
     out.line(&format!("  field-of-view: {}", decimal(fov.to_radians())));
-    for (key, point) in [("from", camera.position), ("to", camera.target), ("up", camera.up)] {
+    // Across the view: the book's picture shows more for every other one.
+    let view = (camera.target - camera.position).normalize_or_zero();
+    let up = (camera.up - view * camera.up.dot(view)).normalize_or(camera.up);
+    for (key, point) in [("from", camera.position), ("to", camera.target), ("up", up)] {
         out.line(&format!("  {key}: [{}]", three(MIRROR * point, ", ")));
     }
 }

@@ -34,8 +34,8 @@ pub(crate) struct Arguments<'t> {
 }
 
 impl<'t> Arguments<'t> {
-    /// Reads the words of a line; `None` if there are too many.
-    pub(crate) fn new(words: Vec<Word<'t>>, draft: &mut Draft) -> Option<Self> {
+    /// Reads the words of a line of the `source`; `None` if there are too many.
+    pub(crate) fn new(words: Vec<Word<'t>>, source: &'t str, draft: &mut Draft) -> Option<Self> {
         let is_too_long = words.len() > MOST_WORDS;
         let span = words.first()?.span.start..words.last()?.span.end;
         if is_too_long {
@@ -46,7 +46,7 @@ impl<'t> Arguments<'t> {
         let element = words.next()?;
         let (mut points, mut numbers, mut properties) = (Vec::new(), Vec::new(), Vec::new());
         let mut has_faults = false;
-        for word in words {
+        for word in joined(words, source) {
             let begins = |letters: fn(char) -> bool| word.text.trim_start_matches('-').starts_with(letters);
             let looks_like_number = begins(|letter| letter.is_ascii_digit() || "+-.,".contains(letter));
             if !looks_like_number {
@@ -105,9 +105,9 @@ impl<'t> Arguments<'t> {
         !self.points.as_slice().is_empty()
     }
 
-    /// How many more numbers stand there.
-    pub(crate) fn numbers_left(&self) -> usize {
-        self.numbers.as_slice().len()
+    /// The numbers that stand there still.
+    pub(crate) fn numbers_left(&self) -> &[Spanned<f64>] {
+        self.numbers.as_slice()
     }
 
     /// The next number, from `low` to `high`.
@@ -174,6 +174,26 @@ impl<'t> Arguments<'t> {
     }
 }
 
+/// Words with points of which the commas are followed by spaces put together: `0, 1, 2`.
+fn joined<'t>(words: impl Iterator<Item = Word<'t>>, source: &'t str) -> Vec<Word<'t>> {
+    let commas = |text: &str| text.matches(',').count();
+    let mut joined: Vec<Word<'t>> = Vec::new();
+    for word in words {
+        let is_number =
+            word.text.starts_with(|letter: char| letter.is_ascii_digit() || "+-.".contains(letter));
+        match joined.last_mut() {
+            Some(last)
+                if is_number && last.text.ends_with(',') && commas(last.text) + commas(word.text) <= 2 =>
+            {
+                last.span.end = word.span.end;
+                last.text = source.get(last.span.clone()).unwrap_or(last.text);
+            }
+            _ => joined.push(word),
+        }
+    }
+    joined
+}
+
 /// That a number is out of its range.
 pub(crate) fn out_of_range(argument: Argument, value: f64, [low, high]: [f64; 2]) -> Message {
     let [value, low, high] = [value, low, high].map(Number::from);
@@ -193,7 +213,7 @@ pub(crate) fn color(codes: DVec3, span: &Range<usize>, draft: &mut Draft) -> Opt
 
 /// Three numbers with commas between them.
 fn point(word: &Word<'_>, draft: &mut Draft) -> Option<DVec3> {
-    let parts: Vec<_> = word.text.split(',').take(7).collect();
+    let parts: Vec<_> = word.text.split(',').map(str::trim).take(7).collect();
     if let Some(example) = without_decimal_comma(word.text) {
         let message = Message::DecimalComma { word: word.text.to_owned() };
         draft.error_with_help(&word.span, message, Message::DecimalPoint { example });

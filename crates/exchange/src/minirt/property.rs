@@ -28,19 +28,15 @@ impl Finish {
     /// Reads what stands behind the arguments of an element: shininess, reflection and whether it is checkered as
     /// numbers, or properties with names.
     pub(super) fn read(&mut self, arguments: &mut Arguments<'_>, draft: &mut Draft) {
-        if let count @ 2..=3 = arguments.numbers_left() {
-            let shininess = arguments.number(Argument::Shininess, [0.0, 1e6], draft);
-            let reflection = arguments.number(Argument::Reflection, [0.0, 1.0], draft);
-            self.shininess = shininess.as_ref().map(|found| found.value).filter(|value| *value > 0.0);
-            self.reflection = reflection.map_or(0.0, |found| found.value);
-            let is_checkered = count == 3
-                && arguments
-                    .number(Argument::CheckerSize, [0.0, 1.0], draft)
-                    .is_some_and(|found| found.value > 0.0);
-            self.checker = is_checkered.then(checker);
-            if let Some(Spanned { span, .. }) = shininess {
-                draft.note(&span, Message::NumbersAreFinish { element: arguments.name() }, None);
+        match arguments.numbers_left() {
+            // No reflection is above 1, and hardly an exponent below.
+            [specular, shininess] | [specular, shininess, _]
+                if specular.value <= 1.0 && shininess.value > 1.0 =>
+            {
+                self.highlight(arguments, draft);
             }
+            [_, _] | [_, _, _] => self.numbers(arguments, draft),
+            _ => {}
         }
         let mut is_value_of_last = false;
         for word in std::mem::take(&mut arguments.properties) {
@@ -49,6 +45,37 @@ impl Finish {
                 continue;
             }
             is_value_of_last = !self.property(&word, draft);
+        }
+    }
+
+    /// Reads shininess, reflection, and whether it is checkered.
+    fn numbers(&mut self, arguments: &mut Arguments<'_>, draft: &mut Draft) {
+        let shininess = arguments.number(Argument::Shininess, [0.0, 1e6], draft);
+        let reflection = arguments.number(Argument::Reflection, [0.0, 1.0], draft);
+        self.shininess = shininess.as_ref().map(|found| found.value).filter(|value| *value > 0.0);
+        self.reflection = reflection.map_or(0.0, |found| found.value);
+        let is_checkered = !arguments.numbers_left().is_empty()
+            && arguments
+                .number(Argument::CheckerSize, [0.0, 1.0], draft)
+                .is_some_and(|found| found.value > 0.0);
+        self.checker = is_checkered.then(checker);
+        if let Some(Spanned { span, .. }) = shininess {
+            draft.note(&span, Message::NumbersAreFinish { element: arguments.name() }, None);
+        }
+    }
+
+    /// Reads specular, shininess and perhaps reflection.
+    fn highlight(&mut self, arguments: &mut Arguments<'_>, draft: &mut Draft) {
+        let specular = arguments.number(Argument::Specular, [0.0, 1.0], draft);
+        let shininess = arguments.number(Argument::Shininess, [0.0, 1e6], draft);
+        self.shininess = shininess.map(|found| found.value);
+        if !arguments.numbers_left().is_empty() {
+            let reflection = arguments.number(Argument::Reflection, [0.0, 1.0], draft);
+            self.reflection = reflection.map_or(0.0, |found| found.value);
+        }
+        if let Some(Spanned { value, span }) = specular {
+            self.specular = Some(value);
+            draft.note(&span, Message::NumbersAreHighlight { element: arguments.name() }, None);
         }
     }
 

@@ -40,7 +40,7 @@ pub(crate) fn read(text: &str, options: &ImportOptions) -> Result<ImportedScene,
                 reader.unknown(word);
             }
             _ => {
-                if let Some(arguments) = Arguments::new(words, &mut reader.draft) {
+                if let Some(arguments) = Arguments::new(words, text, &mut reader.draft) {
                     reader.element(arguments);
                 }
             }
@@ -407,6 +407,9 @@ fn look(draft: &mut Draft, span: &Range<usize>, view: &View) {
         (Message::HorizontalFov { width, height }, Some(dialect_help("vertical-fov")))
     };
     draft.note(&view.degrees.span, note.0, note.1);
+    if !dialect.is_left_handed {
+        draft.note(span, Message::RightHanded, Some(dialect_help("left-handed")));
+    }
     draft.camera_span = span.clone();
     draft.scene.camera = Camera {
         position: view.position,

@@ -2,7 +2,8 @@
 
 use catoptric_exchange::{ForeignFormat, ImportOptions};
 use catoptric_scene::{PatternSpace, Severity, Shape};
-use glam::DVec3;
+use catoptric_tracer::RenderScene;
+use glam::{DMat3, DVec2, DVec3};
 
 use crate::common::{assert_light, bad, count, good, pixel};
 
@@ -192,6 +193,33 @@ fn sheared_spheres_are_ellipsoids_and_sheared_cubes_are_refused() {
     let shape = |name: &str| scene(&format!("- add: {name}\n  transform:\n  - [shear, 1, 0, 0, 0, 0, 0]\n"));
     assert_eq!(good(FORMAT, &shape("sphere"), &ImportOptions::default()).scene.bodies.len(), 1);
     assert_eq!(bad(FORMAT, &shape("cube")), "8:8: error: a sheared `cube` is not drawn");
+}
+
+/// The book's view transform (Buck 2019, chapter 7) does not take the length from its left: the picture shows more, the
+/// nearer `up` is to the direction of view. Held against its own formula for the ray through a pixel.
+#[test]
+fn the_camera_is_that_of_the_book_whatever_is_up() {
+    for up in ["[0, 1, 0]", "[-0.45, 1, 0]", "[0.3, 0.2, 0.9]"] {
+        let text = format!(
+            "- add: camera\n  width: 200\n  height: 100\n  field-of-view: 0.785\n  from: [-6, 6, -10]\n  to: [6, 0, 6]\n  up: {up}\n"
+        );
+        let scene = good(FORMAT, &text, &ImportOptions::default()).scene;
+        let numbers: Vec<f64> =
+            up.trim_matches(['[', ']']).split(", ").map(|number| number.parse().unwrap()).collect();
+        let from = DVec3::new(-6.0, 6.0, -10.0);
+        let forward = (DVec3::new(6.0, 0.0, 6.0) - from).normalize();
+        let left = forward.cross(DVec3::from_slice(&numbers).normalize());
+        let true_up = left.cross(forward);
+        let view = DMat3::from_cols(left, true_up, -forward).transpose();
+        let half = 0.3925_f64.tan();
+        let camera = RenderScene::build(&scene).unwrap();
+        for (x, y) in [(0.5, 0.5), (150.5, 20.5), (99.5, 90.5)] {
+            let pixel = DVec3::new(half - x * half / 100.0, 0.5 * half - y * half / 100.0, -1.0);
+            let expected = (view.inverse() * pixel).normalize() * DVec3::new(1.0, 1.0, -1.0);
+            let found = camera.camera().ray(DVec2::new(x, y), DVec2::new(200.0, 100.0)).direction.as_dvec3();
+            assert!(found.distance(expected) < 1e-6, "{up}: {found} instead of {expected}");
+        }
+    }
 }
 
 #[test]

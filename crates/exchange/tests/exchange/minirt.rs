@@ -89,8 +89,8 @@ fn a_left_handed_picture_is_the_mirror_image() {
 fn what_was_interpreted_is_noted_once() {
     let text = "A 1 255,255,255\nC 0,0,5 0,0,-1 60\ncy 0,0,0 0,1,0 2 4 1,1,1\ncy 0,9,0 0,1,0 2 4 1,1,1\n";
     let report = good(FORMAT, text, &ImportOptions::default()).report;
-    // Colors, angle of view, cylinders.
-    assert_eq!((count(&report, Severity::Note), report.len()), (3, 3), "{report}");
+    // Colors, angle of view, the axes' hands, cylinders.
+    assert_eq!((count(&report, Severity::Note), report.len()), (4, 4), "{report}");
     assert!(
         report.to_string().contains("3:1: note: the position of a cylinder is taken as its center"),
         "{report}"
@@ -107,6 +107,35 @@ fn bonus_numbers_and_lines_of_properties_are_read() {
     assert_eq!((phong(0).shininess, phong(0).specular, phong(0).reflection()), (500.0, 0.5, 0.5));
     assert!(phong(0).pattern.solid.is_some());
     assert_eq!((phong(1).reflection(), phong(1).diffuse), (0.25, 0.75));
+}
+
+/// Commas may be followed by spaces, and `//` begins a comment.
+#[test]
+fn other_ways_to_write_are_read() {
+    let text = "A 1 0, 0,\t255 // dim\n// C\nC 0, 1, 5  0,0, -1 60\nsp 0, -.5,  2 1 9,9, 9 reflection=0.5\n";
+    let scene = good(FORMAT, text, &ImportOptions::default()).scene;
+    assert_eq!(scene.camera.position, DVec3::new(0.0, 1.0, 5.0));
+    assert_eq!(scene.bodies[0].placement.origin(), DVec3::new(0.0, -0.5, 2.0));
+    let found = bad(FORMAT, "A 1 0,0,0\nC 0,0,5, 0,0,-1 60\n");
+    assert!(found.starts_with("2:3: error: `0,0,5,` is not three numbers"), "{found}");
+}
+
+/// A coefficient comes before its exponent in other programs.
+#[test]
+fn bonus_numbers_may_be_those_of_a_highlight() {
+    for (numbers, expected) in
+        [("0.8 100", (0.8, 100.0, 0.0)), ("1 32 0.25", (1.0, 32.0, 0.25)), ("0 2", (0.0, 2.0, 0.0))]
+    {
+        let text = format!("A 1 255,255,255\nC 0,0,5 0,0,-1 60\nsp 0,0,0 2 255,0,0 {numbers}\n");
+        let found = good(FORMAT, &text, &ImportOptions::default());
+        let body = &found.scene.bodies[0];
+        let phong = found.scene.material(&body.material).unwrap().as_phong().unwrap();
+        assert_eq!((phong.specular, phong.shininess, phong.reflection()), expected, "{numbers}");
+        assert!(phong.pattern.solid.is_none());
+        assert!(found.report.to_string().contains("coefficient and exponent"), "{}", found.report);
+    }
+    let found = bad(FORMAT, "A 1 255,255,255\nC 0,0,5 0,0,-1 60\nsp 0,0,0 2 255,0,0 0.8 100 2\n");
+    assert_eq!(found, "3:28: error: the reflection is 2, but must be from 0 to 1");
 }
 
 #[test]
@@ -132,10 +161,7 @@ fn the_schools_errors_are_refused_with_words() {
         ("A 1 0,0,0\nC 0,0,5 0,0,0 60", "2:9: error: the direction of view is zero"),
         ("A 0,5 0,0,0\nC 0,0,5 0,0,-1 60", "1:3: error: `0,5` has a decimal comma"),
         ("A 1 0,0,0\nC 0,5,0,5,1,5 0,0,-1 60", "2:3: error: `0,5,0,5,1,5` has a decimal comma"),
-        (
-            "A 1 0,0,0\nC 0, 0, 5 0,0,-1 60",
-            "2:3: error: `0,` is not three numbers\n2:6: error: `0,` is not three numbers",
-        ),
+        ("A 1 0,0,0\nC 0, 0 5 0,0,-1 60", "2:3: error: `0, 0` is not three numbers"),
         (
             "A 1 0,0,0\nC 0,0,5 0,0,-1 60\nsp 0,0,0 0 1,1,1",
             "3:10: error: the diameter is 0, but must be greater than 0",

@@ -242,7 +242,7 @@ fn what_is_no_pattern_is_refused() {
     // Along one axis any map is a turned one.
     good(FORMAT, &pattern(&sheared.replace("checkers", "stripes")), &ImportOptions::default());
     let three = "      type: stripes\n      colors: [[1, 1, 1], [0, 0, 0], [1, 0, 0]]\n";
-    assert!(bad(FORMAT, &pattern(three)).contains("`stripes` is not drawn"));
+    assert!(bad(FORMAT, &pattern(three)).contains("the pattern `stripes` has 2 colors, not 3"));
     // Definitions that name each other have no end.
     let endless = "      type: stripes\n      colors: [again, again]\n";
     let defined = format!(
