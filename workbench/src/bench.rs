@@ -28,7 +28,7 @@ with POV-Ray's.
 
   cargo xtask bench B1 B3 --other 'mine=./mine {scene} {width} {height} {threads} {output}'")]
 pub(crate) struct BenchArguments {
-    /// Scenes, such as B1 or whitted; without them all nine
+    /// Scenes, such as B1 or whitted; without them all ten
     #[arg(value_name = "SCENE", value_parser = case::find)]
     scenes: Vec<&'static Case>,
     /// Numbers of threads

@@ -123,28 +123,30 @@ impl ChallengeReader {
         let mirror = DAffine3::from_scale(MIRROR);
         let corners = corners.map(|corner| (mirror * world_from_object).transform_point3(corner));
         let (shape, placement) = level_triangle_at(corners);
-        if !(world_from_object.matrix3.determinant().abs() > 0.0 && world_from_object.is_finite()) {
-            self.draft.error(span, Message::Flat);
-            return;
+        if is_flat(&world_from_object) {
+            return self.draft.error(span, Message::Flat);
         }
-        let material = match material {
-            Some(node) => {
-                let object_from_world = world_from_object.inverse() * mirror;
-                let surface = Surface { object_from_world, placement: &placement, is_plane: true };
-                let Some(material) = self.material(node, &surface) else { return };
-                material
-            }
+        let object_from_world = world_from_object.inverse() * mirror;
+        let surface = Surface { object_from_world, placement: &placement, is_plane: true };
+        let Some(material) = self.material_of(material, &surface) else { return };
+        self.draft.body(Body { placement, material, ..Body::of_shape(shape) }, span);
+    }
+
+    /// What a surface is made of: the book's own material where none is given.
+    fn material_of(&mut self, node: Option<&Rc<Node>>, surface: &Surface<'_>) -> Option<MaterialChoice> {
+        let material = match node {
+            Some(node) => self.material(node, surface)?,
             None => Material::Phong(default_material()),
         };
-        let material = MaterialChoice::Inline(Box::new(material));
-        self.draft.body(Body { placement, material, ..Body::of_shape(shape) }, span);
+        Some(MaterialChoice::Inline(Box::new(material)))
     }
 
     /// The corners of a triangle.
     pub(super) fn corners(&mut self, table: &mut Table) -> Option<[DVec3; 3]> {
-        let nodes = ["p1", "p2", "p3"].map(|key| table.require(&[key], &mut self.draft));
-        let mut corner = |node: Option<Rc<Node>>| super::table::vector(node?.as_ref(), "p1", &mut self.draft);
-        let [a, b, c] = nodes.map(&mut corner);
+        let [a, b, c] = ["p1", "p2", "p3"].map(|key| {
+            let node = table.require(&[key], &mut self.draft)?;
+            super::table::vector(&node, key, &mut self.draft)
+        });
         Some([a?, b?, c?])
     }
 
@@ -159,9 +161,8 @@ impl ChallengeReader {
         let mirror = DAffine3::from_scale(MIRROR);
         // In our axes, the shape's own frame being mirrored too, which leaves the shape as it is.
         let world_from_shape = mirror * world_from_object * solid.object_from_shape * mirror;
-        if !(world_from_object.matrix3.determinant().abs() > 0.0 && world_from_object.is_finite()) {
-            self.draft.error(span, Message::Flat);
-            return;
+        if is_flat(&world_from_object) {
+            return self.draft.error(span, Message::Flat);
         }
         let is_plane = solid.shape == Shape::Plane;
         if is_plane && self.operand.is_some() {
@@ -172,16 +173,9 @@ impl ChallengeReader {
             return;
         };
         let object_from_world = world_from_object.inverse() * mirror;
-        let material = match material {
-            Some(node) => {
-                let surface = Surface { object_from_world, placement: &placement, is_plane };
-                let Some(material) = self.material(node, &surface) else { return };
-                material
-            }
-            None => Material::Phong(default_material()),
-        };
+        let surface = Surface { object_from_world, placement: &placement, is_plane };
+        let Some(material) = self.material_of(material, &surface) else { return };
         let (shape, placement) = folded(solid.shape, placement);
-        let material = MaterialChoice::Inline(Box::new(material));
         match &mut self.operand {
             Some(parts) => {
                 parts.push(BodyPart { shape, placement, material: Some(material), ..BodyPart::default() });
@@ -192,6 +186,11 @@ impl ChallengeReader {
             }
         }
     }
+}
+
+/// Whether a transform leaves nothing of a shape, or takes it to infinity.
+fn is_flat(transform: &DAffine3) -> bool {
+    !(transform.matrix3.determinant().abs() > 0.0 && transform.is_finite())
 }
 
 /// A cylinder or cone without its caps.

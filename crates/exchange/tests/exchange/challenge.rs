@@ -227,7 +227,10 @@ fn errors_have_their_places_and_come_all_at_once() {
     for (rest, expected) in [
         ("- add: spere\n", "8:8: error: there is no shape, and no definition, called `spere`"),
         ("- add: smooth-triangle\n  p1: [0, 0, 0]\n", "8:8: error: `smooth-triangle` is not drawn"),
-        ("- add: triangle\n  p1: [0, 0, 0]\n  p2: [0, 1]\n", "8:3: error: `triangle` lacks `p3`"),
+        (
+            "- add: triangle\n  p1: [0, 0, 0]\n  p2: [0, 1]\n",
+            "8:3: error: `triangle` lacks `p3`\n10:7: error: `p2` is a list",
+        ),
         (
             "- add: sphere\n  size: 3\n- add: cube\n  shadow: false\n",
             "9:3: error: `sphere` has no key `size`\n11:11: error: a body without a shadow is not drawn",

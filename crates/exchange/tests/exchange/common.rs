@@ -1,7 +1,9 @@
 //! Reading, and one pixel of what was read.
 
-use catoptric_exchange::{ForeignFormat, ImportOptions, ImportedScene, read};
-use catoptric_scene::{Diagnostics, Severity};
+use catoptric_exchange::{
+    DEFAULT_SIZE, ExportOptions, ForeignFormat, ImportOptions, ImportedScene, read, write,
+};
+use catoptric_scene::{Diagnostics, Scene, Severity};
 use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, render};
 
 /// Reads a text that has no errors.
@@ -14,6 +16,15 @@ pub(crate) fn bad(format: ForeignFormat, text: &str) -> String {
     let errors = read(format, text, &ImportOptions::default()).unwrap_err();
     assert!(errors.has_errors());
     errors.to_string()
+}
+
+/// Writes a scene exactly, and reads it again.
+pub(crate) fn written_and_read(format: ForeignFormat, scene: &Scene) -> (String, Scene) {
+    let options = ExportOptions { is_approximate: false, size: Some(DEFAULT_SIZE) };
+    let written = write(format, scene, &options).unwrap_or_else(|error| panic!("{format:?}: {error}")).text;
+    let found = read(format, &written, &ImportOptions::default());
+    let found = found.unwrap_or_else(|errors| panic!("{errors}\n{written}")).scene;
+    (written, found)
 }
 
 /// The light of a pixel of a picture of this size.

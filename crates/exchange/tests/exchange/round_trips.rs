@@ -1,6 +1,6 @@
 //! Scenes that a format can say come back from it.
 
-use catoptric_exchange::{DEFAULT_SIZE, ExportOptions, ForeignFormat, ImportOptions, read, write};
+use catoptric_exchange::{ExportOptions, ForeignFormat, ImportOptions, read, write};
 use catoptric_scene::{
     Anchor, Body, BodyPart, Camera, Color, Light, Material, MaterialChoice, Pattern, PatternSpace, Phong,
     Placement, Projection, Scene, Shape, SolidKind, SolidTexture,
@@ -8,6 +8,8 @@ use catoptric_scene::{
 use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, render};
 use glam::DVec3;
 use proptest::prelude::*;
+
+use crate::common::written_and_read;
 
 fn share() -> impl Strategy<Value = f64> {
     prop_oneof![Just(0.0), Just(0.5), 0.01..0.99f64]
@@ -221,11 +223,8 @@ proptest! {
         for format in ForeignFormat::ALL {
             let mut scene = scene.clone();
             scene.bodies.retain(|body| fits(format, body));
-            let options = ExportOptions { is_approximate: false, size: Some(DEFAULT_SIZE) };
-            let written = write(format, &scene, &options).unwrap_or_else(|error| panic!("{format:?}: {error}"));
-            let found = read(format, &written.text, &ImportOptions::default());
-            let found = found.unwrap_or_else(|errors| panic!("{errors}\n{}", written.text));
-            assert_equal(format, &scene, &found.scene);
+            let (_, found) = written_and_read(format, &scene);
+            assert_equal(format, &scene, &found);
         }
     }
 }

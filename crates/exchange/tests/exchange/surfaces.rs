@@ -1,6 +1,6 @@
 //! Open and endless bodies, squares, triangles: what they are read as, and back.
 
-use catoptric_exchange::{DEFAULT_SIZE, Dialect, ExportOptions, ForeignFormat, ImportOptions, read, write};
+use catoptric_exchange::{Dialect, ForeignFormat, ImportOptions};
 use catoptric_scene::{
     Anchor, Body, BodyShape, Color, Light, MaterialChoice, OpenCone, OpenCylinder, ParametricShape, Phong,
     Placement, Rectangle, Scene, ShapeKind, Triangle,
@@ -9,7 +9,7 @@ use catoptric_tracer::{Ray, RenderControl, RenderScene, RenderSettings, render};
 use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 
-use crate::common::{bad, good};
+use crate::common::{bad, good, written_and_read};
 
 const CHALLENGE: &str = "- add: camera\n  width: 40\n  height: 20\n  field-of-view: 0.7\n  from: [0, 0, -5]\n  to: [0, 0, 0]\n  \
                          up: [0, 1, 0]\n- add: light\n  at: [-10, 10, -10]\n  intensity: [1, 1, 1]\n";
@@ -192,10 +192,7 @@ proptest! {
         for format in ForeignFormat::ALL {
             let mut scene = scene.clone();
             scene.bodies.retain(|body| fits(format, body));
-            let options = ExportOptions { is_approximate: false, size: Some(DEFAULT_SIZE) };
-            let written = write(format, &scene, &options).unwrap_or_else(|error| panic!("{format:?}: {error}"));
-            let found = read(format, &written.text, &ImportOptions::default());
-            let mut found = found.unwrap_or_else(|errors| panic!("{errors}\n{}", written.text)).scene;
+            let (written, mut found) = written_and_read(format, &scene);
             prop_assert_eq!(found.bodies.len(), scene.bodies.len());
             found.camera = scene.camera;
             let picture = |scene: &Scene| {
@@ -207,7 +204,7 @@ proptest! {
                 own.iter().zip(*other).any(|(own, other)| (own - other).abs() > 1e-3)
             };
             let unlike = own.pixels().iter().zip(other.pixels()).filter(apart).count();
-            prop_assert!(unlike <= 4, "{format:?}: {unlike} pixels\n{}", written.text);
+            prop_assert!(unlike <= 4, "{format:?}: {unlike} pixels\n{written}");
         }
     }
 }
@@ -217,8 +214,7 @@ fn squares_that_stand_as_their_normal_says_come_back() {
     let text = "A 0 255,255,255\nC 0,0,5 0,0,-1 60\nL 0,4,4 1 255,255,255\nsq 1,2,3 0,0.6,0.8 4 51,102,255\n\
                 tr 0,0,0 1,0,0.5 0,1,0 9,9,9\n";
     let scene = good(ForeignFormat::MiniRt, text, &ImportOptions::default()).scene;
-    let options = ExportOptions { is_approximate: false, size: Some(DEFAULT_SIZE) };
-    let written = write(ForeignFormat::MiniRt, &scene, &options).unwrap().text;
+    let (written, _) = written_and_read(ForeignFormat::MiniRt, &scene);
     let numbers = |line: &str| -> Vec<f64> {
         let words = line.split([' ', ',']).skip(1);
         words.map(|word| word.parse().unwrap()).collect()

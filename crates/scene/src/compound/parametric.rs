@@ -70,16 +70,23 @@ pub enum ParametricShape {
 
 /// What a parametric shape is asked for, in its own frame.
 trait Parametric {
-    /// The number that scene files call `key`, if the shape has it.
-    fn number(&self, key: &str) -> Option<f64>;
+    /// The number that scene files call `key`, if that is one of the shape's own.
+    fn number_mut(&mut self, _key: &str) -> Option<&mut f64> {
+        None
+    }
+
+    /// The number of `key` where it is none of the shape's own as it is: it may be absent, or another stands for it.
+    fn number(&self, _key: &str) -> Option<f64> {
+        None
+    }
 
     /// What the number of `key` would be, where another one says it.
     fn derived_number(&self, _key: &str) -> Option<f64> {
         None
     }
 
-    /// Sets the number that scene files call `key`. Does nothing if the shape has none.
-    fn set_number(&mut self, key: &str, value: f64);
+    /// Sets the number of `key`, as [`Self::number`] has it. Does nothing if the shape has none.
+    fn set_number(&mut self, _key: &str, _value: f64) {}
 
     /// The three numbers that scene files call `key`, if the shape has them.
     fn vector_mut(&mut self, _key: &str) -> Option<&mut DVec3> {
@@ -287,12 +294,17 @@ impl ParametricShape {
 
     /// The number that scene files call `key`, if the shape has it.
     pub fn number(&self, key: &str) -> Option<f64> {
-        self.as_parametric().number(key)
+        let mut shape = *self;
+        shape.as_parametric_mut().number_mut(key).copied().or_else(|| self.as_parametric().number(key))
     }
 
     /// Sets the number that scene files call `key`. Does nothing if the shape has none.
     pub fn set_number(&mut self, key: &str, value: f64) {
-        self.as_parametric_mut().set_number(key, value);
+        let shape = self.as_parametric_mut();
+        match shape.number_mut(key) {
+            Some(number) => *number = value,
+            None => shape.set_number(key, value),
+        }
     }
 
     /// The three numbers that scene files call `key`: the `size` of a wedge, the corners of a triangle.

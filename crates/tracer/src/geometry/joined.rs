@@ -104,9 +104,10 @@ impl JoinTree {
         0
     }
 
-    /// Whether it is what all parts have in common, which is convex, or a surface within that.
-    pub(crate) fn is_common(&self) -> bool {
-        let all = u64::MAX.checked_shr(u64::BITS - self.parts).unwrap_or_default();
+    /// Whether a point has to lie in all parts, so that what these have in common is convex: an intersection of simple parts,
+    /// or a surface within one.
+    pub(crate) fn is_convex(&self) -> bool {
+        let all = u64::MAX.checked_shr(u64::BITS.saturating_sub(self.parts)).unwrap_or_default();
         let [gate] = self.gates.as_slice() else { return false };
         gate.needs_all && gate.parts == all && self.inverted == 0
     }

@@ -3,7 +3,7 @@
 pub(crate) mod candidates;
 pub(crate) mod closest;
 pub(crate) mod coincident;
-pub(crate) mod common;
+pub(crate) mod intersection;
 pub(crate) mod joined;
 pub(crate) mod stream;
 

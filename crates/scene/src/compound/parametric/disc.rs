@@ -25,14 +25,8 @@ impl Default for Disc {
 }
 
 impl Parametric for Disc {
-    fn number(&self, key: &str) -> Option<f64> {
-        (key == "radius").then_some(self.radius)
-    }
-
-    fn set_number(&mut self, key: &str, value: f64) {
-        if key == "radius" {
-            self.radius = value;
-        }
+    fn number_mut(&mut self, key: &str) -> Option<&mut f64> {
+        (key == "radius").then_some(&mut self.radius)
     }
 
     fn extent(&self) -> [DVec3; 2] {

@@ -31,21 +31,12 @@ impl Default for OpenCone {
 }
 
 impl Parametric for OpenCone {
-    fn number(&self, key: &str) -> Option<f64> {
+    fn number_mut(&mut self, key: &str) -> Option<&mut f64> {
         match key {
-            "radius" => Some(self.radius),
-            "top_radius" => Some(self.top_radius),
-            "height" => Some(self.height),
+            "radius" => Some(&mut self.radius),
+            "top_radius" => Some(&mut self.top_radius),
+            "height" => Some(&mut self.height),
             _ => None,
-        }
-    }
-
-    fn set_number(&mut self, key: &str, value: f64) {
-        match key {
-            "radius" => self.radius = value,
-            "top_radius" => self.top_radius = value,
-            "height" => self.height = value,
-            _ => {}
         }
     }
 

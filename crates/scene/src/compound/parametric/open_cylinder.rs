@@ -27,19 +27,11 @@ impl Default for OpenCylinder {
 }
 
 impl Parametric for OpenCylinder {
-    fn number(&self, key: &str) -> Option<f64> {
+    fn number_mut(&mut self, key: &str) -> Option<&mut f64> {
         match key {
-            "radius" => Some(self.radius),
-            "height" => Some(self.height),
+            "radius" => Some(&mut self.radius),
+            "height" => Some(&mut self.height),
             _ => None,
-        }
-    }
-
-    fn set_number(&mut self, key: &str, value: f64) {
-        match key {
-            "radius" => self.radius = value,
-            "height" => self.height = value,
-            _ => {}
         }
     }
 

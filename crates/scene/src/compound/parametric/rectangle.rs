@@ -28,19 +28,11 @@ impl Default for Rectangle {
 }
 
 impl Parametric for Rectangle {
-    fn number(&self, key: &str) -> Option<f64> {
+    fn number_mut(&mut self, key: &str) -> Option<&mut f64> {
         match key {
-            "width" => Some(self.width),
-            "length" => Some(self.length),
+            "width" => Some(&mut self.width),
+            "length" => Some(&mut self.length),
             _ => None,
-        }
-    }
-
-    fn set_number(&mut self, key: &str, value: f64) {
-        match key {
-            "width" => self.width = value,
-            "length" => self.length = value,
-            _ => {}
         }
     }
 

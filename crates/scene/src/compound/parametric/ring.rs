@@ -31,21 +31,12 @@ impl Default for Ring {
 }
 
 impl Parametric for Ring {
-    fn number(&self, key: &str) -> Option<f64> {
+    fn number_mut(&mut self, key: &str) -> Option<&mut f64> {
         match key {
-            "radius" => Some(self.radius),
-            "inner_radius" => Some(self.inner_radius),
-            "thickness" => Some(self.thickness),
+            "radius" => Some(&mut self.radius),
+            "inner_radius" => Some(&mut self.inner_radius),
+            "thickness" => Some(&mut self.thickness),
             _ => None,
-        }
-    }
-
-    fn set_number(&mut self, key: &str, value: f64) {
-        match key {
-            "radius" => self.radius = value,
-            "inner_radius" => self.inner_radius = value,
-            "thickness" => self.thickness = value,
-            _ => {}
         }
     }
 

@@ -38,12 +38,6 @@ impl Triangle {
 }
 
 impl Parametric for Triangle {
-    fn number(&self, _key: &str) -> Option<f64> {
-        None
-    }
-
-    fn set_number(&mut self, _key: &str, _value: f64) {}
-
     fn vector_mut(&mut self, key: &str) -> Option<&mut DVec3> {
         match key {
             "a" => Some(&mut self.a),

@@ -37,21 +37,12 @@ pub(super) fn hollow([radius, inner_radius]: [f64; 2], [bottom, top]: [f64; 2]) 
 }
 
 impl Parametric for Tube {
-    fn number(&self, key: &str) -> Option<f64> {
+    fn number_mut(&mut self, key: &str) -> Option<&mut f64> {
         match key {
-            "radius" => Some(self.radius),
-            "inner_radius" => Some(self.inner_radius),
-            "height" => Some(self.height),
+            "radius" => Some(&mut self.radius),
+            "inner_radius" => Some(&mut self.inner_radius),
+            "height" => Some(&mut self.height),
             _ => None,
-        }
-    }
-
-    fn set_number(&mut self, key: &str, value: f64) {
-        match key {
-            "radius" => self.radius = value,
-            "inner_radius" => self.inner_radius = value,
-            "height" => self.height = value,
-            _ => {}
         }
     }
 

@@ -28,12 +28,6 @@ impl Default for Wedge {
 }
 
 impl Parametric for Wedge {
-    fn number(&self, _key: &str) -> Option<f64> {
-        None
-    }
-
-    fn set_number(&mut self, _key: &str, _value: f64) {}
-
     fn vector_mut(&mut self, key: &str) -> Option<&mut DVec3> {
         (key == "size").then_some(&mut self.size)
     }

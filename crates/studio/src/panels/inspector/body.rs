@@ -13,6 +13,30 @@ use crate::base::widgets::choice::{ChoiceItem, choice_ui};
 use crate::base::widgets::section::section;
 use crate::state::context::Cx;
 
+/// The row of a length of a shape, by its message, that of its edit, and its key in scene files.
+macro_rules! length_row {
+    ($name:literal, $edit:literal, $key:literal) => {
+        NumberRow::<Body>::new(
+            RowQuantity::new($name, $edit, &keys::BODY, $key).in_unit(Unit::Meters),
+            SliderRail::None,
+            |body| body.body_shape().shown_number($key),
+            |body, value| body.change_shape(|shape| shape.set_number($key, value)),
+        )
+    };
+}
+
+/// The row of a corner of a triangle, by its message and its key in scene files.
+macro_rules! corner_row {
+    ($name:literal, $key:literal) => {
+        VectorRow::<Body>::new(
+            RowQuantity::new($name, "edit-corner", &keys::BODY, $key).in_unit(Unit::Meters),
+            VectorSpread::Same,
+            |body| body.body_shape().vector($key),
+            |body, value| body.change_shape(|shape| shape.set_vector($key, value)),
+        )
+    };
+}
+
 static RADIUS: NumberRow<Body> = NumberRow::<Body>::new(
     RowQuantity::new("radius", "edit-radius", &keys::BODY, "radius").in_unit(Unit::Meters),
     SliderRail::None,
@@ -64,19 +88,9 @@ static SIDES: NumberRow<Body> = NumberRow::<Body>::new(
 )
 .tuned(0.05, 0);
 
-static INNER_RADIUS: NumberRow<Body> = NumberRow::<Body>::new(
-    RowQuantity::new("inner-radius", "edit-inner-radius", &keys::BODY, "inner_radius").in_unit(Unit::Meters),
-    SliderRail::None,
-    |body| body.body_shape().shown_number("inner_radius"),
-    |body, value| body.change_shape(|shape| shape.set_number("inner_radius", value)),
-);
+static INNER_RADIUS: NumberRow<Body> = length_row!("inner-radius", "edit-inner-radius", "inner_radius");
 
-static THICKNESS: NumberRow<Body> = NumberRow::<Body>::new(
-    RowQuantity::new("thickness", "edit-thickness", &keys::BODY, "thickness").in_unit(Unit::Meters),
-    SliderRail::None,
-    |body| body.body_shape().shown_number("thickness"),
-    |body, value| body.change_shape(|shape| shape.set_number("thickness", value)),
-);
+static THICKNESS: NumberRow<Body> = length_row!("thickness", "edit-thickness", "thickness");
 
 static LENS_IOR: NumberRow<Body> = NumberRow::<Body>::new(
     RowQuantity::new("lens-ior", "edit-lens-ior", &keys::BODY, "ior"),
@@ -85,27 +99,12 @@ static LENS_IOR: NumberRow<Body> = NumberRow::<Body>::new(
     |body, value| body.change_shape(|shape| shape.set_number("ior", value)),
 );
 
-static CURVATURE_RADIUS: NumberRow<Body> = NumberRow::<Body>::new(
-    RowQuantity::new("curvature-radius", "edit-curvature-radius", &keys::BODY, "curvature_radius")
-        .in_unit(Unit::Meters),
-    SliderRail::None,
-    |body| body.body_shape().shown_number("curvature_radius"),
-    |body, value| body.change_shape(|shape| shape.set_number("curvature_radius", value)),
-);
+static CURVATURE_RADIUS: NumberRow<Body> =
+    length_row!("curvature-radius", "edit-curvature-radius", "curvature_radius");
 
-static FRONT_RADIUS: NumberRow<Body> = NumberRow::<Body>::new(
-    RowQuantity::new("front-radius", "edit-front-radius", &keys::BODY, "front_radius").in_unit(Unit::Meters),
-    SliderRail::None,
-    |body| body.body_shape().shown_number("front_radius"),
-    |body, value| body.change_shape(|shape| shape.set_number("front_radius", value)),
-);
+static FRONT_RADIUS: NumberRow<Body> = length_row!("front-radius", "edit-front-radius", "front_radius");
 
-static BACK_RADIUS: NumberRow<Body> = NumberRow::<Body>::new(
-    RowQuantity::new("back-radius", "edit-back-radius", &keys::BODY, "back_radius").in_unit(Unit::Meters),
-    SliderRail::None,
-    |body| body.body_shape().shown_number("back_radius"),
-    |body, value| body.change_shape(|shape| shape.set_number("back_radius", value)),
-);
+static BACK_RADIUS: NumberRow<Body> = length_row!("back-radius", "edit-back-radius", "back_radius");
 
 static SIZE: VectorRow<Body> = VectorRow::<Body>::new(
     RowQuantity::new("size", "edit-size", &keys::BODY, "size").in_unit(Unit::Meters),
@@ -115,40 +114,12 @@ static SIZE: VectorRow<Body> = VectorRow::<Body>::new(
 )
 .linked(|memory| &mut memory.size_link);
 
-static WIDTH: NumberRow<Body> = NumberRow::<Body>::new(
-    RowQuantity::new("width", "edit-width", &keys::BODY, "width").in_unit(Unit::Meters),
-    SliderRail::None,
-    |body| body.body_shape().shown_number("width"),
-    |body, value| body.change_shape(|shape| shape.set_number("width", value)),
-);
+static WIDTH: NumberRow<Body> = length_row!("width", "edit-width", "width");
 
-static LENGTH: NumberRow<Body> = NumberRow::<Body>::new(
-    RowQuantity::new("length", "edit-length", &keys::BODY, "length").in_unit(Unit::Meters),
-    SliderRail::None,
-    |body| body.body_shape().shown_number("length"),
-    |body, value| body.change_shape(|shape| shape.set_number("length", value)),
-);
+static LENGTH: NumberRow<Body> = length_row!("length", "edit-length", "length");
 
-static CORNERS: [VectorRow<Body>; 3] = [
-    VectorRow::<Body>::new(
-        RowQuantity::new("corner-a", "edit-corner", &keys::BODY, "a").in_unit(Unit::Meters),
-        VectorSpread::Same,
-        |body| body.body_shape().vector("a"),
-        |body, value| body.change_shape(|shape| shape.set_vector("a", value)),
-    ),
-    VectorRow::<Body>::new(
-        RowQuantity::new("corner-b", "edit-corner", &keys::BODY, "b").in_unit(Unit::Meters),
-        VectorSpread::Same,
-        |body| body.body_shape().vector("b"),
-        |body, value| body.change_shape(|shape| shape.set_vector("b", value)),
-    ),
-    VectorRow::<Body>::new(
-        RowQuantity::new("corner-c", "edit-corner", &keys::BODY, "c").in_unit(Unit::Meters),
-        VectorSpread::Same,
-        |body| body.body_shape().vector("c"),
-        |body, value| body.change_shape(|shape| shape.set_vector("c", value)),
-    ),
-];
+static CORNERS: [VectorRow<Body>; 3] =
+    [corner_row!("corner-a", "a"), corner_row!("corner-b", "b"), corner_row!("corner-c", "c")];
 
 /// Draws the values of the selected bodies.
 pub(super) fn bodies_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut InspectorState) {

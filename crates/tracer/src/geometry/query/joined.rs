@@ -113,10 +113,10 @@ impl<'a, W: Width> RayQuery<'a, W> {
     #[cold]
     #[inline(never)]
     pub(crate) fn first_of_joined(&self, index: u32, lanes: W::M) -> JoinedHits<W> {
-        if let Some(body) = self.geometry.joined(index).filter(|body| body.tree.is_common()) {
+        if let Some(body) = self.geometry.joined(index).filter(|body| body.tree.is_convex()) {
             return self.w.run(
                 #[inline(always)]
-                || self.first_of_common(index, body, lanes),
+                || self.first_of_convex(index, body, lanes),
             );
         }
         FirstCrossings::of(self.walks(index, lanes)).hits(self.w)

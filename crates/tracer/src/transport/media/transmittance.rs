@@ -129,14 +129,14 @@ impl<W: Width> RayQuery<'_, W> {
         (index, distance): (u32, W::R),
         lanes: W::M,
     ) -> Transmittance<W> {
-        if let Some(body) = self.geometry.joined(index).filter(|body| body.tree.is_common())
+        if let Some(body) = self.geometry.joined(index).filter(|body| body.tree.is_convex())
             && body
                 .parts()
                 .all(|part| self.geometry.body(part).material == self.geometry.body(index).material)
         {
             return self.w.run(
                 #[inline(always)]
-                || self.pass_common(scene, body, (index, distance), lanes),
+                || self.pass_convex(scene, body, (index, distance), lanes),
             );
         }
         self.pass_walked(scene, (index, distance), lanes)
@@ -156,16 +156,16 @@ impl<W: Width> RayQuery<'_, W> {
         Transmittance { lanes: lanes & !self.w.mask(passed.stopped), share: passed.is_filtered.then(share) }
     }
 
-    /// [`Self::pass_joined`] for what all parts have in common, of one material.
+    /// [`Self::pass_joined`] for an intersection of simple parts, or a surface within one, of one material.
     #[inline(always)]
-    fn pass_common(
+    fn pass_convex(
         &self,
         scene: &RenderScene,
         body: &JoinedBody,
         (index, distance): (u32, W::R),
         lanes: W::M,
     ) -> Transmittance<W> {
-        let span = self.common_span(index, body, lanes);
+        let span = self.convex_span(index, body, lanes);
         let [entered, left] = span.crossed_before(distance);
         let doubtful = span.doubtful();
         let whole = self.geometry.body(index);

@@ -1,4 +1,4 @@
-//! Where rays cross what all parts of a joined body have in common.
+//! Where rays cross an intersection of simple parts, or a surface within one.
 //!
 //! An intersection of convex parts is convex: a ray is in it from the last of the parts' entries to the first of their
 //! exits, which is found for rays side by side. So it is with a surface: where it is met has to lie between these. Rays for
@@ -13,9 +13,9 @@ use crate::geometry::shape::SIDE;
 use crate::simd::{Float as _, Mask as _, Width, Word as _};
 
 /// Where rays cross the surface of an intersection, or a surface within it.
-pub(crate) struct CommonSpan<W: Width> {
-    enter: CommonCrossing<W>,
-    exit: CommonCrossing<W>,
+pub(crate) struct ConvexSpan<W: Width> {
+    enter: ConvexCrossing<W>,
+    exit: ConvexCrossing<W>,
     /// Those that enter ahead, and those that leave ahead, whether they have entered before or not.
     entering: W::M,
     leaving: W::M,
@@ -24,7 +24,7 @@ pub(crate) struct CommonSpan<W: Width> {
 }
 
 /// Where rays cross the surface of the part that decides.
-struct CommonCrossing<W: Width> {
+struct ConvexCrossing<W: Width> {
     t: W::R,
     part: W::W,
     face: W::R,
@@ -32,7 +32,7 @@ struct CommonCrossing<W: Width> {
     second: W::R,
 }
 
-impl<W: Width> CommonCrossing<W> {
+impl<W: Width> ConvexCrossing<W> {
     fn new(w: W, t: f32) -> Self {
         Self { t: w.real(t), part: w.word(0), face: w.real(0.0), second: w.real(t) }
     }
@@ -46,7 +46,7 @@ impl<W: Width> CommonCrossing<W> {
     }
 }
 
-impl<W: Width> CommonSpan<W> {
+impl<W: Width> ConvexSpan<W> {
     /// The rays that enter the body, and where, if that is before `end`; and those that leave it before.
     #[inline(always)]
     pub(crate) fn crossed_before(&self, end: W::R) -> [W::M; 2] {
@@ -59,10 +59,10 @@ impl<W: Width> CommonSpan<W> {
 }
 
 impl<W: Width> RayQuery<'_, W> {
-    /// Where rays first cross the body at this place, which is [common](crate::geometry::joined::JoinTree::is_common).
+    /// Where rays first cross the body at this place, which is [convex](crate::geometry::joined::JoinTree::is_convex).
     #[inline(always)]
-    pub(crate) fn first_of_common(&self, index: u32, body: &JoinedBody, lanes: W::M) -> JoinedHits<W> {
-        let CommonSpan { enter, exit, entering, leaving, doubtful } = self.common_span(index, body, lanes);
+    pub(crate) fn first_of_convex(&self, index: u32, body: &JoinedBody, lanes: W::M) -> JoinedHits<W> {
+        let ConvexSpan { enter, exit, entering, leaving, doubtful } = self.convex_span(index, body, lanes);
         let hits = JoinedHits {
             t: W::R::select(entering, enter.t, exit.t),
             part: W::W::select(entering, enter.part, exit.part),
@@ -85,7 +85,7 @@ impl<W: Width> RayQuery<'_, W> {
 
     /// Where rays `lanes` cross the body at this place.
     #[inline(always)]
-    pub(crate) fn common_span(&self, index: u32, body: &JoinedBody, lanes: W::M) -> CommonSpan<W> {
+    pub(crate) fn convex_span(&self, index: u32, body: &JoinedBody, lanes: W::M) -> ConvexSpan<W> {
         match body.tree.is_surface() {
             true => self.surface_span(body, lanes),
             false => self.intersection_span(index, body, lanes),
@@ -94,7 +94,7 @@ impl<W: Width> RayQuery<'_, W> {
 
     /// Where they cross the surface of the first part within all others.
     #[inline(always)]
-    fn surface_span(&self, body: &JoinedBody, lanes: W::M) -> CommonSpan<W> {
+    fn surface_span(&self, body: &JoinedBody, lanes: W::M) -> ConvexSpan<W> {
         let (w, first) = (self.w, body.first);
         let infinity = w.real(f32::INFINITY);
         let (mut low, mut high) = (-infinity, infinity);
@@ -123,8 +123,8 @@ impl<W: Width> RayQuery<'_, W> {
         let left = (span.hit & !own | from_inside) & shown(exit, span.exit_face);
         let is_near = |t: W::R| t.abs().le(at_start);
         let doubtful = entered & is_near(enter) | left & !own & is_near(exit);
-        let crossing = |t, face| CommonCrossing { t, part: w.word(first), face, second: t };
-        CommonSpan {
+        let crossing = |t, face| ConvexCrossing { t, part: w.word(first), face, second: t };
+        ConvexSpan {
             enter: crossing(enter, span.enter_face),
             exit: crossing(exit, span.exit_face),
             entering: entered & enter.gt(at_start) & !doubtful,
@@ -133,13 +133,13 @@ impl<W: Width> RayQuery<'_, W> {
         }
     }
 
-    /// Where they cross the surface of what all parts have in common.
+    /// Where they cross the surface of the intersection of all parts.
     #[inline(always)]
-    fn intersection_span(&self, index: u32, body: &JoinedBody, lanes: W::M) -> CommonSpan<W> {
+    fn intersection_span(&self, index: u32, body: &JoinedBody, lanes: W::M) -> ConvexSpan<W> {
         let w = self.w;
         let infinity = w.real(f32::INFINITY);
-        let mut enter = CommonCrossing::new(w, f32::NEG_INFINITY);
-        let mut exit = CommonCrossing::new(w, f32::INFINITY);
+        let mut enter = ConvexCrossing::new(w, f32::NEG_INFINITY);
+        let mut exit = ConvexCrossing::new(w, f32::INFINITY);
         let mut hit = lanes;
         let mut from_own = w.mask(0);
         let starts = self.start.and(!INWARDS);
@@ -179,6 +179,6 @@ impl<W: Width> RayQuery<'_, W> {
             doubtful = doubtful | (entering & known) | (within & !known & !from_own);
         }
         let leaving = (entering | within) & !doubtful;
-        CommonSpan { enter, exit, entering: entering & !doubtful, leaving, doubtful }
+        ConvexSpan { enter, exit, entering: entering & !doubtful, leaving, doubtful }
     }
 }
