@@ -66,7 +66,7 @@ fn reach_of(form: &Form<'_>, direction: DVec3) -> Option<f64> {
         Shape::Union | Shape::Group => {
             parts.try_fold(f64::NEG_INFINITY, |most, part| Some(most.max(part?)))?
         }
-        Shape::Intersection | Shape::Surface => parts.flatten().reduce(f64::min)?,
+        Shape::Intersection | Shape::Surface { .. } => parts.flatten().reduce(f64::min)?,
         Shape::Difference => parts.next()??,
         _ => form.sized_shape().support(local)?,
     };

@@ -179,6 +179,7 @@ impl PartPath {
             placement: part.placement,
             material: self.material(body).clone(),
             hidden: body.hidden,
+            shadow: body.shadow,
             locked: body.locked,
             parts: part.parts.clone(),
             parametric: part.parametric.clone(),

@@ -265,25 +265,15 @@ catoptric_scene::messages! {
     PatternsTooDeep { most: String }:
         "patterns within patterns are drawn {most} levels deep",
         "узоры в узорах рисуются до {most} уровней";
-    NoShadowFlag:
-        "a body without a shadow is not drawn",
-        "тело без тени не рисуется";
+    OperandShadow:
+        "an operand of a `csg` has its shadow; the whole may have none",
+        "у операнда `csg` тень есть; её может не быть у целого";
     ThrowsShadow:
         "it throws its shadow",
         "тень есть";
     AreaLight:
-        "an area light is not drawn",
-        "протяжённый источник света не рисуется";
-    PointLight:
-        "a point in its middle gives its light",
-        "светит точка в его середине";
-    BookShadows:
-        "clear bodies throw lighter shadows here than in the book, where they throw full ones",
-        "тени прозрачных тел здесь светлее, чем в книге, где они полные";
-    BookSchlick:
-        "the book weighs reflection and refraction of this material by Schlick's formula; here its coefficients count under \
-         every angle",
-        "книга взвешивает отражение и преломление этого материала по формуле Шлика; здесь его коэффициенты не зависят от угла";
+        "an area light is a light in the middle of each of its cells, without jitter",
+        "протяжённый источник света — это источники в серединах его ячеек, без случайных сдвигов";
     Mirrored:
         "the book's axes are left-handed; z is turned around",
         "оси в книге левые; ось z обращена";
@@ -322,12 +312,6 @@ catoptric_scene::messages! {
     IsFlat:
         "it is drawn flat",
         "он рисуется плоским";
-    BothSides:
-        "what is seen from one side only in NFF is drawn from both",
-        "то, что в NFF видно только с одной стороны, рисуется с обеих";
-    InsideOnly:
-        "a cone of which only the inside is seen is drawn from both sides",
-        "конус, видный только изнутри, рисуется с обеих сторон";
     MixedRadii:
         "one radius of the cone is negative, the other is not",
         "один радиус конуса отрицательный, а другой нет";
@@ -393,6 +377,18 @@ catoptric_scene::messages! {
     LosesShape { title: Title }:
         "{title}: the format does not have its shape",
         "{title}: такой формы в формате нет";
+    LosesSide { title: Title }:
+        "{title}: in the format surfaces are seen from both sides",
+        "{title}: в формате поверхности видны с обеих сторон";
+    LosesShadow { title: Title }:
+        "{title}: the format has no such shadow",
+        "{title}: такой тени в формате нет";
+    LosesFresnel { title: Title }:
+        "{title}: in the format reflection and transmission do not depend on the angle",
+        "{title}: отражение и пропускание в формате не зависят от угла";
+    LosesConstant { title: Title }:
+        "{title}: the format weighs reflection and transmission of clear bodies by Schlick's formula",
+        "{title}: отражение и пропускание прозрачных тел в формате взвешены по формуле Шлика";
     LosesTransmission { title: Title }:
         "{title}: the format has no refraction",
         "{title}: в формате нет преломления";

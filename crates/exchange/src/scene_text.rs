@@ -4,8 +4,8 @@ use std::borrow::Cow;
 use std::fmt;
 
 use catoptric_scene::{
-    Body, Camera, Color, Falloff, Language, Light, Material, MaterialChoice, Matte, Phong, Projection, Scene,
-    Sentence, Shape, Surroundings, Tracing,
+    Body, Camera, Color, Falloff, Form, Language, Light, Material, MaterialChoice, Matte, Phong, Projection,
+    Scene, Sentence, Shadow, Shape, Surroundings, Tracing,
 };
 use glam::DVec3;
 
@@ -97,14 +97,28 @@ impl SceneText {
     pub(crate) fn bodies<'s>(&mut self, scene: &'s Scene) -> Vec<(Title, &'s Body, Cow<'s, Phong>)> {
         let mut bodies = Vec::new();
         for (title, body) in seen_bodies(scene) {
-            let is_sized_surface = body.shape == Shape::Surface && body.form().parametric().is_some();
+            let is_sized_surface = body.shape.is_surface() && body.form().parametric().is_some();
             if body.shape.is_compound() && !is_sized_surface {
                 self.lose(Message::LosesParts { title });
             } else if let Some(material) = self.surface(scene, &body.material, &title) {
+                let is_clear = material.transmission > 0.0;
+                if body.shadow == Shadow::None || body.shadow == Shadow::Full && is_clear {
+                    self.lose(Message::LosesShadow { title: title.clone() });
+                }
+                if material.weighs_by_angle() {
+                    self.lose(Message::LosesFresnel { title: title.clone() });
+                }
                 bodies.push((title, body, material));
             }
         }
         bodies
+    }
+
+    /// That it is lost from which side alone a surface is seen.
+    pub(crate) fn side(&mut self, form: &Form<'_>, title: &Title) {
+        if form.shape.is_surface() && form.shape != Shape::SURFACE {
+            self.lose(Message::LosesSide { title: title.clone() });
+        }
     }
 
     /// A material as Phong's coefficients, or that it is lost.

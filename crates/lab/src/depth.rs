@@ -42,6 +42,8 @@ impl DepthBound {
                     let factor = match material {
                         // What is not reflected passes.
                         Material::Dielectric(_) => 1.0,
+                        // The shares of both are those of one light.
+                        Material::Phong(phong) if phong.weighs_by_angle() => reflection.max(passes),
                         _ if material.ior() == Some(1.0) => reflection + passes,
                         _ => (reflection + passes).max(1.0),
                     };
@@ -259,11 +261,17 @@ pub fn excess_of(material: &Material) -> impl Iterator<Item = (ExcessKind, f64)>
     const ALL: f64 = 1.0 + 1e-9;
     let brightest = |pattern: &Pattern| DVec3::from_array(pattern.brightest().to_array());
     let (diffuse, reflection, transmission) = match material {
-        Material::Phong(phong) => (
-            phong.diffuse * brightest(&phong.pattern),
-            DVec3::splat(phong.reflection()),
-            phong.transmission * DVec3::from_array(phong.tint.to_array()),
-        ),
+        Material::Phong(phong) => {
+            let diffuse = phong.diffuse * brightest(&phong.pattern);
+            let reflection = DVec3::splat(phong.reflection());
+            let transmission = phong.transmission * DVec3::from_array(phong.tint.to_array());
+            // Of what is weighed by the angle the stronger one counts at most.
+            match phong.weighs_by_angle() {
+                true if reflection.x >= transmission.max_element() => (diffuse, reflection, DVec3::ZERO),
+                true => (diffuse, DVec3::ZERO, transmission),
+                false => (diffuse, reflection, transmission),
+            }
+        }
         Material::Mirror(mirror) => {
             (DVec3::ZERO, mirror.reflection() * brightest(&mirror.pattern), DVec3::ZERO)
         }

@@ -4,10 +4,7 @@ use std::sync::Arc;
 
 use catoptric_gpu::GpuPicture;
 use catoptric_platform::time::{Duration, Instant};
-use catoptric_scene::{
-    Body, BodyPart, Camera, Color, Falloff, Instance, Light, MaterialChoice, Placement, Projection, Scene,
-    Shape,
-};
+use catoptric_scene::{Body, Camera, Color, Falloff, Light, Projection, Scene};
 use catoptric_tracer::{RayCounts, RenderCamera, RenderScene, SceneEdit};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
@@ -319,10 +316,20 @@ fn changed_bodies(old: &Request, new: &Request) -> Option<Vec<usize>> {
 }
 
 /// What a picture depends on.
-fn traced_body(body: &Body) -> (&Shape, &Placement, &MaterialChoice, bool, &[BodyPart], Option<&Instance>) {
-    let Body { name: _, locked: _, shape, placement, material, hidden, parts, parametric: _, instance } =
-        body;
-    (shape, placement, material, *hidden, parts, instance.as_ref())
+fn traced_body(body: &Body) -> impl PartialEq {
+    let Body {
+        name: _,
+        locked: _,
+        shape,
+        placement,
+        material,
+        hidden,
+        shadow,
+        parts,
+        parametric: _,
+        instance,
+    } = body;
+    (shape, placement, material, (hidden, shadow), parts, instance)
 }
 
 /// What a picture depends on.

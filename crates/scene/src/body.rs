@@ -23,6 +23,8 @@ pub struct Body {
     /// Whether the body takes no part in the picture: it is not seen, not reflected and throws no shadow. Default
     /// false.
     pub hidden: bool,
+    /// What of light on its way to others passes the body. Default what its surfaces let through.
+    pub shadow: Shadow,
     /// Whether the studio leaves the body as it is. No picture depends on it. Default false.
     pub locked: bool,
     /// What the body is joined of; none unless the shape [has parts](Shape::is_compound).
@@ -31,6 +33,40 @@ pub struct Body {
     pub parametric: Option<Box<ParametricShape>>,
     /// What the body is an instance of, if it is one: it has the shape of that, and no parts of its own.
     pub instance: Option<Instance>,
+}
+
+/// What of light on its way to other bodies passes one.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Shadow {
+    /// What its surfaces and what is in it let through.
+    #[default]
+    Filtered,
+    /// All of it: the body casts no shadow.
+    None,
+    /// Nothing, whatever it is made of.
+    Full,
+}
+
+impl Shadow {
+    /// All of them, in the order in which to offer them.
+    pub const ALL: [Self; 3] = [Self::Filtered, Self::None, Self::Full];
+
+    /// Their words.
+    pub(crate) const KEYS: &[&str] = &[Self::Filtered.key(), Self::None.key(), Self::Full.key()];
+
+    /// The word for it in scene files.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Filtered => "filtered",
+            Self::None => "none",
+            Self::Full => "full",
+        }
+    }
+
+    /// The one of this word.
+    pub fn of_key(key: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|shadow| shadow.key() == key)
+    }
 }
 
 /// The most parts whose outlines are drawn.

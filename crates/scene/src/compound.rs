@@ -140,7 +140,7 @@ impl<'a> Form<'a> {
                 Some([min.min(least), max.max(greatest)])
             })?,
             Shape::Difference => boxes.next().unwrap_or(Some(NOWHERE))?,
-            Shape::Intersection | Shape::Surface => {
+            Shape::Intersection | Shape::Surface { .. } => {
                 boxes.flatten().reduce(|[min, max], [least, greatest]| {
                     let (min, max) = (min.max(least), max.min(greatest));
                     if min.cmple(max).all() { [min, max] } else { NOWHERE }

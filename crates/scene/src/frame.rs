@@ -38,7 +38,7 @@ impl Shape {
             | Self::Union
             | Self::Intersection
             | Self::Difference
-            | Self::Surface
+            | Self::Surface { .. }
             | Self::Group => Symmetry::None,
             Self::Plane => {
                 let found = placement(frame, Symmetry::None).or_else(|| plane(frame));

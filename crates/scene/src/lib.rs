@@ -20,7 +20,7 @@ mod scene_images;
 mod shape;
 mod text;
 
-pub use body::Body;
+pub use body::{Body, Shadow};
 pub use camera::{Camera, Projection};
 pub use color::Color;
 pub use compound::{
@@ -41,14 +41,14 @@ pub use language::Language;
 pub use light::{Falloff, Light};
 pub use list::{CountedIter, List, ListIter, ListIterMut, ListSlices};
 pub use material::{
-    Attenuation, Coated, Conductor, Dielectric, Material, MaterialChoice, Matte, MetalOptics, Mirror, Model,
-    NamedMaterial, Pattern, PatternSpace, Phong, RefractiveIndex, Share, SolidKind, SolidTexture,
-    ThinDielectric,
+    Attenuation, Coated, Conductor, Dielectric, FresnelTerm, Material, MaterialChoice, Matte, MetalOptics,
+    Mirror, Model, NamedMaterial, Pattern, PatternSpace, Phong, RefractiveIndex, Share, SolidKind,
+    SolidTexture, ThinDielectric,
 };
 pub use part::ScenePart;
 pub use placement::{Anchor, Placement};
 pub use scene_images::HasImages;
-pub use shape::{ParaboloidDepth, Shape, ShapeKind};
+pub use shape::{ParaboloidDepth, Shape, ShapeKind, VisibleSide};
 pub use text::{is_active, quoted_name, visible, visible_lines};
 
 /// A whole scene: everything that decides what a picture shows, except its size.

@@ -21,7 +21,7 @@ pub use crate::material::dielectric::{Attenuation, Dielectric, RefractiveIndex};
 pub use crate::material::matte::Matte;
 pub use crate::material::mirror::Mirror;
 pub use crate::material::pattern::Pattern;
-pub use crate::material::phong::Phong;
+pub use crate::material::phong::{FresnelTerm, Phong};
 pub use crate::material::solid::{PatternSpace, SolidKind, SolidTexture};
 pub use crate::material::thin_dielectric::ThinDielectric;
 

@@ -8,6 +8,7 @@ mod frustum;
 mod outline;
 mod paraboloid;
 mod sphere;
+mod visible_side;
 
 use glam::DVec3;
 
@@ -16,6 +17,7 @@ use crate::shape::frustum::Frustum;
 use crate::shape::paraboloid::Paraboloid;
 pub use crate::shape::paraboloid::ParaboloidDepth;
 use crate::shape::sphere::Sphere;
+pub use crate::shape::visible_side::VisibleSide;
 
 /// The shapes, each in its own frame (meters).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,7 +66,10 @@ pub enum Shape {
     Difference,
     /// The surface of the first of the body's parts, which is a simple one, without its caps, as far as it lies in all of
     /// the others. It has no inside: light that passes it goes straight on.
-    Surface,
+    Surface {
+        /// The sides that rays meet. Default both.
+        side: VisibleSide,
+    },
     /// Parts that stand together, each a body of its own. A group that is itself a part of a union, an intersection or a
     /// difference is a union.
     Group,
@@ -94,7 +99,8 @@ impl Shape {
     pub const CYLINDER: Self = Self::Cylinder { radius: 0.5, height: 1.0 };
     /// A pointed cone of radius 0.5 and height 1.
     pub const CONE: Self = Self::Cone { radius: 0.5, top_radius: 0.0, height: 1.0 };
-
+    /// A surface with both sides.
+    pub const SURFACE: Self = Self::Surface { side: VisibleSide::Both };
     /// A paraboloid of radius 0.5 and height 1.
     pub const PARABOLOID: Self = Self::Paraboloid { radius: 0.5, depth: ParaboloidDepth::Height(1.0) };
 
@@ -110,7 +116,7 @@ impl Shape {
             Self::Union => ShapeKind::Union,
             Self::Intersection => ShapeKind::Intersection,
             Self::Difference => ShapeKind::Difference,
-            Self::Surface => ShapeKind::Surface,
+            Self::Surface { .. } => ShapeKind::Surface,
             Self::Group => ShapeKind::Group,
         }
     }
@@ -118,6 +124,11 @@ impl Shape {
     /// Whether the body consists of [parts](crate::Body::parts).
     pub const fn is_compound(&self) -> bool {
         self.kind().is_compound()
+    }
+
+    /// Whether it is a surface without inside.
+    pub const fn is_surface(&self) -> bool {
+        matches!(self, Self::Surface { .. })
     }
 
     /// The shape's name in scene files: `sphere`, `cube` …
@@ -193,6 +204,21 @@ impl Shape {
         }
     }
 
+    /// The word that scene files call `key`: the `visible_side` of a surface.
+    pub fn word(&self, key: &str) -> Option<&'static str> {
+        match self {
+            Self::Surface { side } if key == "visible_side" => Some(side.key()),
+            _ => None,
+        }
+    }
+
+    /// Sets the word that scene files call `key`. Does nothing if the shape has none, or if it has no such value.
+    pub fn set_word(&mut self, key: &str, word: &str) {
+        if let (Self::Surface { side }, "visible_side") = (self, key) {
+            *side = VisibleSide::of_key(word).unwrap_or(*side);
+        }
+    }
+
     /// The height above the frame's origin; `None` for a shape that does not stand on an axis, and so cannot be placed
     /// by base and top points.
     pub fn height(&self) -> Option<f64> {
@@ -246,7 +272,7 @@ impl Shape {
             | Self::Union
             | Self::Intersection
             | Self::Difference
-            | Self::Surface
+            | Self::Surface { .. }
             | Self::Group => return None,
         })
     }
@@ -436,7 +462,7 @@ impl ShapeKind {
             | Self::OpenCone
             | Self::Disc
             | Self::Rectangle
-            | Self::Triangle => Shape::Surface,
+            | Self::Triangle => Shape::SURFACE,
             Self::Group => Shape::Group,
         }
     }

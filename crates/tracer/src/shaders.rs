@@ -14,6 +14,7 @@ pub(crate) mod specialize;
 
 use catoptric_scene::SolidKind;
 
+use crate::geometry::body::{FILTERS, SHADOWLESS, TRANSPARENT};
 use crate::geometry::bvh::{TINY as BOX_TINY, WIDEN as BOX_WIDEN};
 use crate::geometry::query::closest::GRAZING;
 use crate::geometry::ray::{INWARDS, NO_BODY, NO_START, POINT_ROUNDING};
@@ -153,6 +154,9 @@ fn constants(special: &ShaderSpecialization) -> ShaderConstants {
         ("NO_BODY", NO_BODY),
         ("NO_START", NO_START),
         ("INWARDS", INWARDS),
+        ("TRANSPARENT", u32::from(TRANSPARENT)),
+        ("SHADOWLESS", u32::from(SHADOWLESS)),
+        ("FILTERS", u32::from(FILTERS)),
         ("SPHERE", ShapeKind::Sphere as u32),
         ("CUBE", ShapeKind::Cube as u32),
         ("CYLINDER", ShapeKind::Cylinder as u32),
@@ -196,6 +200,7 @@ fn constants(special: &ShaderSpecialization) -> ShaderConstants {
         ("HAS_PARABOLOIDS", special.has(ShapeKind::Paraboloid)),
         ("HAS_PLANES", special.has(ShapeKind::Plane)),
         ("HAS_TRANSPARENCY", special.media > 0),
+        ("HAS_SHADOWLESS", special.shadowless),
         ("HAS_SOLIDS", special.solids),
         ("HAS_MEMBERS", special.members),
         ("ASKS_EACH_START", special.asks_each_start),

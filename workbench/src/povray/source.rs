@@ -8,7 +8,7 @@ use std::fmt::Write as _;
 use anyhow::{Context as _, Result, bail, ensure};
 use catoptric_scene::{
     BodyPart, Camera, Color, Falloff, Form, Light, Material, MaterialChoice, PatternSpace, Phong, Placement,
-    Projection, Scene, Shape, SolidKind, SolidTexture, Surroundings,
+    Projection, Scene, Shadow, Shape, SolidKind, SolidTexture, Surroundings, VisibleSide,
 };
 use glam::{DAffine3, DVec3};
 
@@ -42,7 +42,11 @@ pub(crate) fn source(scene: &Scene) -> Result<String> {
         writeln!(text, "{}", light(lamp))?;
     }
     for body in scene.bodies.iter().filter(|body| !body.hidden) {
-        let object = object(scene, &body.form(), &body.material, false);
+        ensure!(body.shadow != Shadow::Full, "POV-Ray knows no full shadows of clear bodies");
+        let object = object(scene, &body.form(), &body.material, false).map(|object| match body.shadow {
+            Shadow::None => format!("object {{ {object} no_shadow }}"),
+            Shadow::Filtered | Shadow::Full => object,
+        });
         writeln!(text, "{}", object.with_context(|| format!("the body {:?}", body.name))?)?;
     }
     Ok(text)
@@ -90,8 +94,8 @@ fn light(light: &Light) -> String {
 fn object(scene: &Scene, form: &Form<'_>, choice: &MaterialChoice, is_within: bool) -> Result<String> {
     let material = scene.material(choice).context("a material that the scene has not")?;
     let (texture, ior) = surface(material)?;
-    if form.shape == Shape::Surface {
-        return clipped(scene, form, choice);
+    if let Shape::Surface { side } = form.shape {
+        return clipped(scene, form, side, choice);
     }
     // POV-Ray bends light only where there is an interior, whatever surface lets it in.
     let interior = if !is_within && lets_through(scene, form, choice) {
@@ -115,8 +119,8 @@ fn object(scene: &Scene, form: &Form<'_>, choice: &MaterialChoice, is_within: bo
     Ok(format!("{word} {{ {} {}{interior} }}", parts.join(" "), matrix(&form.placement)))
 }
 
-/// The surface of the first part as far as it lies in the others, without interior.
-fn clipped(scene: &Scene, form: &Form<'_>, choice: &MaterialChoice) -> Result<String> {
+/// The surface of the first part as far as it lies in the others, without interior. What is not seen is clear.
+fn clipped(scene: &Scene, form: &Form<'_>, side: VisibleSide, choice: &MaterialChoice) -> Result<String> {
     let (first, others) = form.parts.split_first().context("a surface without parts")?;
     let form_of_first = first.form();
     let open = match form_of_first.shape {
@@ -126,14 +130,21 @@ fn clipped(scene: &Scene, form: &Form<'_>, choice: &MaterialChoice) -> Result<St
     };
     let material = scene.material(first.material.as_ref().unwrap_or(choice));
     let (texture, _) = surface(material.context("a material that the scene has not")?)?;
-    let side = format!("{} {open}{} }}", shape(&form_of_first), matrix(&form_of_first.placement));
+    let (seen, clear) =
+        (format!("{{ {texture} }}"), "{ pigment { rgbt <1,1,1,1> } finish { ambient 0 diffuse 0 } }");
+    let textures = match side {
+        VisibleSide::Both => texture,
+        VisibleSide::Outer => format!("texture {seen} interior_texture {clear}"),
+        VisibleSide::Inner => format!("texture {clear} interior_texture {seen}"),
+    };
+    let first = format!("{} {open}{} }}", shape(&form_of_first), matrix(&form_of_first.placement));
     let cuts: Vec<String> = others.iter().map(|part| bare(&part.form())).collect();
     let cuts = match cuts.as_slice() {
         [] => String::new(),
         [only] => format!(" clipped_by {{ {only} }}"),
         several => format!(" clipped_by {{ intersection {{ {} }} }}", several.join(" ")),
     };
-    Ok(format!("object {{ {side}{cuts} {} {texture} }}", matrix(&form.placement)))
+    Ok(format!("object {{ {first}{cuts} {} {textures} }}", matrix(&form.placement)))
 }
 
 /// A form without textures, as POV-Ray wants what clips.
@@ -175,7 +186,7 @@ fn shape(form: &Form<'_>) -> String {
             )
         }
         Shape::Plane => "plane { y, 0".to_owned(),
-        Shape::Union | Shape::Intersection | Shape::Difference | Shape::Surface | Shape::Group => {
+        Shape::Union | Shape::Intersection | Shape::Difference | Shape::Surface { .. } | Shape::Group => {
             String::new()
         }
     }
@@ -197,6 +208,7 @@ fn surface(material: &Material) -> Result<(String, f64)> {
     let phong = phong.with_context(|| format!("POV-Ray is asked for Phong's model only, not for {model}"))?;
     let Phong { ref pattern, ambient, diffuse, specular, shininess, transmission, ior, .. } = *phong;
     ensure!(pattern.texture.is_none(), "POV-Ray is asked for bodies without textures only");
+    ensure!(!phong.weighs_by_angle(), "POV-Ray does not know Schlick's formula");
     let opacity = 1.0 - transmission;
     ensure!(
         opacity > 0.0 || (ambient == 0.0 && diffuse == 0.0),
@@ -387,7 +399,7 @@ mod tests {
     fn surfaces_are_open_and_clipped() {
         let part = |shape| BodyPart { shape, ..BodyPart::default() };
         let said = |parts: &[BodyPart]| {
-            let body = Body { shape: Shape::Surface, parts: parts.to_vec(), ..Body::default() };
+            let body = Body { shape: Shape::SURFACE, parts: parts.to_vec(), ..Body::default() };
             let said = source(&Scene { bodies: vec![body].into(), ..Scene::default() });
             let said = said.map(|said| said.lines().last().unwrap().to_owned());
             let known =

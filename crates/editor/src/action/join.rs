@@ -68,6 +68,7 @@ pub(super) fn join(edited: &EditedScene, selection: &Selection, shape: ShapeKind
         placement: Placement::at(origin),
         material: first.material.clone(),
         hidden: bodies.iter().all(|body| body.hidden),
+        shadow: first.shadow,
         locked: false,
         parts: parts.collect(),
         ..Body::default()
@@ -108,7 +109,7 @@ pub(super) fn take_apart(edited: &EditedScene, selection: &Selection) -> Result 
             let name = names.take(if part.name.is_empty() { &whole.name } else { &part.name });
             let material = part.material.as_ref().unwrap_or(&whole.material);
             let body = body_of_part(part, material, frame, name)?;
-            bodies.push(Body { hidden: whole.hidden, ..body });
+            bodies.push(Body { hidden: whole.hidden, shadow: whole.shadow, ..body });
         }
         let mut bodies = bodies.into_iter();
         let Some(first) = bodies.next() else { continue };

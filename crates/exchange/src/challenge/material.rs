@@ -1,14 +1,11 @@
 //! Materials of the book as Phong's coefficients.
 
-use std::ops::Range;
-
-use catoptric_scene::{Color, Material, Pattern, Phong};
+use catoptric_scene::{Color, FresnelTerm, Material, Pattern, Phong};
 
 use crate::challenge::pattern::Surface;
 use crate::challenge::read::ChallengeReader;
 use crate::challenge::table::{self, Table};
 use crate::challenge::yaml::Node;
-use crate::message::Message;
 
 /// The defaults of Buck 2019, chapters 6 and 11.
 pub(super) fn default_material() -> Phong {
@@ -55,22 +52,11 @@ impl ChallengeReader {
             }
         }
         phong.reflection = Some(reflective);
-        let span = table.span.clone();
+        // The book weighs what is clear (chapter 11).
+        if phong.transmission > 0.0 {
+            phong.fresnel = FresnelTerm::Schlick;
+        }
         table.end(draft);
-        self.differences(&phong, &span);
         Some(Material::Phong(phong))
-    }
-
-    /// Says once in which ways the book's picture differs.
-    fn differences(&mut self, phong: &Phong, span: &Range<usize>) {
-        if phong.transmission <= 0.0 {
-            return;
-        }
-        if !std::mem::replace(&mut self.said.shadows, true) {
-            self.draft.warn(span, Message::BookShadows);
-        }
-        if phong.reflection() > 0.0 && !std::mem::replace(&mut self.said.schlick, true) {
-            self.draft.warn(span, Message::BookSchlick);
-        }
     }
 }

@@ -2,7 +2,7 @@
 
 use catoptric_scene::{
     Body, BodyPart, Color, Form, MaterialChoice, OpenCone, OpenCylinder, ParametricShape, PatternSpace,
-    Placement, Scene, Shape, SolidKind, SolidTexture, Triangle, rotation_degrees,
+    Placement, Scene, Shadow, Shape, SolidKind, SolidTexture, Triangle, rotation_degrees,
 };
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 
@@ -49,6 +49,7 @@ struct PartContext<'s> {
     /// Of the wholes around, the outermost first.
     around: &'s [Placement],
     is_operand: bool,
+    shadow: Shadow,
     material: &'s MaterialChoice,
 }
 
@@ -57,7 +58,13 @@ impl ObjectWriter<'_> {
     pub(super) fn body(&mut self, title: &Title, body: &Body) {
         let start = self.out.text.len();
         self.out.line("");
-        let context = PartContext { title, around: &[], is_operand: false, material: &body.material };
+        let context = PartContext {
+            title,
+            around: &[],
+            is_operand: false,
+            shadow: body.shadow,
+            material: &body.material,
+        };
         if self.form(&body.form(), context, &ObjectPlace::item("")).is_none() {
             self.out.text.truncate(start);
         }
@@ -69,7 +76,7 @@ impl ObjectWriter<'_> {
     }
 
     fn form(&mut self, form: &Form<'_>, context: PartContext<'_>, place: &ObjectPlace) -> Option<()> {
-        if !form.shape.is_compound() || form.shape == Shape::Surface {
+        if !form.shape.is_compound() || form.shape.is_surface() {
             return self.simple(form, context, place);
         }
         let around = [context.around, &[form.placement]].concat();
@@ -96,6 +103,7 @@ impl ObjectWriter<'_> {
         let (operation, _) = OPERATIONS.into_iter().find(|(_, known)| *known == shape)?;
         self.out.line(&format!("{}csg", place.lead));
         self.out.line(&format!("{}operation: {operation}", place.indent));
+        self.shadow(context, place);
         if let Some(placement) = placement {
             TransformList::of(placement).write(&place.indent, &mut self.out);
         }
@@ -116,22 +124,41 @@ impl ObjectWriter<'_> {
         Some(())
     }
 
+    /// Says so if what is no operand has no shadow.
+    fn shadow(&mut self, context: PartContext<'_>, place: &ObjectPlace) {
+        if context.shadow == Shadow::None && !context.is_operand {
+            self.out.line(&format!("{}shadow: false", place.indent));
+        }
+    }
+
     fn simple(&mut self, form: &Form<'_>, context: PartContext<'_>, place: &ObjectPlace) -> Option<()> {
-        let PartContext { title, around, is_operand, material } = context;
+        let PartContext { title, around, is_operand, material, .. } = context;
         // Half-spaces and surfaces are no operands of the book.
-        let is_half_space = matches!(form.shape, Shape::Plane | Shape::Surface) && is_operand;
+        let is_half_space = matches!(form.shape, Shape::Plane | Shape::Surface { .. }) && is_operand;
         let shape = BookShape::of_form(form).filter(|_| !is_half_space);
         let Some(shape) = shape else {
             self.out.lose(Message::LosesShape { title: title.clone() });
             return None;
         };
+        self.out.side(form, title);
         let material = self.out.surface(self.scene, material, title)?;
         if material.tint != Color::WHITE && material.transmission > 0.0 {
             self.out.lose(Message::LosesTint { title: title.clone() });
         }
+        if material.transmission > 0.0 {
+            for (is_lost, message) in [
+                (!material.weighs_by_angle(), Message::LosesConstant { title: title.clone() }),
+                (context.shadow == Shadow::Filtered, Message::LosesShadow { title: title.clone() }),
+            ] {
+                if is_lost {
+                    self.out.lose(message);
+                }
+            }
+        }
         self.has_ambient |= material.ambient > 0.0;
+        self.out.line(&format!("{}{}", place.lead, shape.name));
+        self.shadow(context, place);
         let (out, indent) = (&mut self.out, &place.indent);
-        out.line(&format!("{}{}", place.lead, shape.name));
         if let Some(ends) = shape.ends {
             let [min, max] = ends.map(decimal);
             let closed = shape.is_closed;
@@ -188,13 +215,13 @@ impl BookShape {
     fn of_form(form: &Form<'_>) -> Option<Self> {
         match form.parametric() {
             None => Self::of(form.sized_shape()),
-            Some(&ParametricShape::OpenCylinder(OpenCylinder { radius, height })) => {
+            Some(&ParametricShape::OpenCylinder(OpenCylinder { radius, height, .. })) => {
                 Some(Self { is_closed: false, ..Self::of(Shape::Cylinder { radius, height })? })
             }
-            Some(&ParametricShape::OpenCone(OpenCone { radius, top_radius, height })) => {
+            Some(&ParametricShape::OpenCone(OpenCone { radius, top_radius, height, .. })) => {
                 Some(Self { is_closed: false, ..Self::of(Shape::Cone { radius, top_radius, height })? })
             }
-            Some(&ParametricShape::Triangle(Triangle { a, b, c })) => {
+            Some(&ParametricShape::Triangle(Triangle { a, b, c, .. })) => {
                 Some(Self { corners: Some([a, b, c]), ..Self::plain("triangle", DVec3::ONE) })
             }
             Some(_) => None,
@@ -232,7 +259,7 @@ impl BookShape {
             | Shape::Union
             | Shape::Intersection
             | Shape::Difference
-            | Shape::Surface
+            | Shape::Surface { .. }
             | Shape::Group => return None,
         })
     }

@@ -4,7 +4,9 @@ use std::collections::HashMap;
 use std::ops::Range;
 use std::rc::Rc;
 
-use catoptric_scene::{BodyPart, Camera, Color, Diagnostics, Light, Projection, nearest};
+use catoptric_scene::{
+    BodyPart, Camera, Color, Diagnostics, Light, MaterialChoice, Projection, Shadow, nearest,
+};
 use glam::{DAffine3, DVec3};
 
 use crate::camera::vertical_from_horizontal;
@@ -18,6 +20,8 @@ use crate::options::{DEFAULT_SIZE, ImportOptions, ImportedScene};
 /// The most parts that definitions may make: bodies, groups and transforms.
 const MOST_PARTS: usize = 200_000;
 /// What can be added, besides definitions.
+/// The most cells along a side of an area light.
+const MOST_STEPS: f64 = 32.0;
 const SHAPES: [&str; 10] =
     ["camera", "light", "sphere", "plane", "cube", "cylinder", "cone", "triangle", "group", "csg"];
 /// What the book has and a scene does not.
@@ -44,8 +48,6 @@ pub(crate) fn read(text: &str, options: &ImportOptions) -> Result<ImportedScene,
 /// What is said once about a file.
 #[derive(Default)]
 pub(super) struct WarningFlags {
-    pub(super) shadows: bool,
-    pub(super) schlick: bool,
     too_many: bool,
     too_deep: bool,
 }
@@ -111,6 +113,7 @@ impl ChallengeReader {
         for item in items {
             self.item(item);
         }
+        self.shade();
         match &self.camera {
             Some(span) => {
                 let span = span.clone();
@@ -118,6 +121,16 @@ impl ChallengeReader {
                 self.draft.note(&span, Message::LightsAreCodes, Some(Message::ToneCurveHelp));
             }
             None => self.draft.error(&(root.span.start..root.span.start), Message::NoCamera),
+        }
+    }
+
+    /// In the book no light passes what is clear (chapter 8).
+    fn shade(&mut self) {
+        let lets_through = |choice: &MaterialChoice| matches!(choice, MaterialChoice::Inline(material) if material.lets_through().most > 0.0);
+        for body in self.draft.bodies_mut() {
+            if body.shadow == Shadow::Filtered && body.materials().any(lets_through) {
+                body.shadow = Shadow::Full;
+            }
         }
     }
 
@@ -188,13 +201,19 @@ impl ChallengeReader {
             material: outer.material.clone().or(material.map(|material| self.resolved(&material))),
             depth: outer.depth + 1,
         };
-        if let Some(shadow) = table.take(&["shadow"]) {
-            let throws = table::flag(&shadow, "shadow", &mut self.draft)?;
-            if !throws {
-                self.draft.unsupported(&shadow.span, Message::NoShadowFlag, Message::ThrowsShadow);
+        let shadow = table.take(&["shadow"]);
+        let bodies_before = self.draft.bodies_mut().len();
+        self.object(&name, table, &context, &name_node.span)?;
+        let shadow = shadow.filter(|shadow| table::flag(shadow, "shadow", &mut self.draft) == Some(false));
+        if let Some(shadow) = shadow {
+            if self.operand.is_some() {
+                self.draft.unsupported(&shadow.span, Message::OperandShadow, Message::ThrowsShadow);
+            }
+            for body in self.draft.bodies_mut().iter_mut().skip(bodies_before) {
+                body.shadow = Shadow::None;
             }
         }
-        self.object(&name, table, &context, &name_node.span)
+        Some(())
     }
 
     fn object(
@@ -306,27 +325,34 @@ impl ChallengeReader {
             None => Color::WHITE,
         };
         let draft = &mut self.draft;
-        let position = if let Some(corner) = table.take(&["corner"]) {
+        let points = if let Some(corner) = table.take(&["corner"]) {
             let corner = table::vector(&corner, "corner", draft)?;
-            let [u, v] = ["uvec", "vvec"].map(|key| {
-                let node = table.require(&[key], draft)?;
-                table::vector(&node, key, draft)
+            let [u, v] = [("uvec", "usteps"), ("vvec", "vsteps")].map(|(side, steps)| {
+                let node = table.require(&[side], draft)?;
+                let side = table::vector(&node, side, draft)?;
+                let count = table.require(&[steps], draft)?;
+                let count = table::number(&count, steps, [1.0, MOST_STEPS], draft)?;
+                Some((side, count.floor() as u32))
             });
-            for key in ["usteps", "vsteps", "jitter"] {
-                table.take(&[key]);
-            }
-            draft.unsupported(&span, Message::AreaLight, Message::PointLight);
-            corner + 0.5 * (u? + v?)
+            table.take(&["jitter"]);
+            draft.note(&span, Message::AreaLight, None);
+            let ((u, u_steps), (v, v_steps)) = u.zip(v)?;
+            let middle = |cell: u32, cells: u32| (f64::from(cell) + 0.5) / f64::from(cells);
+            let cells = (0..v_steps).flat_map(|y| (0..u_steps).map(move |x| (x, y)));
+            cells.map(|(x, y)| corner + middle(x, u_steps) * u + middle(y, v_steps) * v).collect()
         } else {
             let node = table.require(&["at", "position"], draft)?;
-            table::vector(&node, "at", draft)?
+            vec![table::vector(&node, "at", draft)?]
         };
         table.end(draft);
         // The book adds the ambient term for each light, in its color (Buck 2019, chapter 6).
         let sum = DVec3::from_array(draft.scene.environment.ambient.to_array())
             + DVec3::from_array(color.to_array());
         draft.scene.environment.ambient = sum.to_array().into();
-        draft.light(Light { position: MIRROR * position, color, ..Light::default() }, &span);
+        let intensity = 1.0 / points.len() as f64;
+        for point in points {
+            draft.light(Light { position: MIRROR * point, color, intensity, ..Light::default() }, &span);
+        }
         Some(())
     }
 }

@@ -197,10 +197,12 @@ fn is_flat(transform: &DAffine3) -> bool {
 fn opened(shape: Shape) -> BodyShape {
     match shape {
         Shape::Cylinder { radius, height } => {
-            BodyShape::Parametric(ParametricShape::OpenCylinder(OpenCylinder { radius, height }))
+            let open = OpenCylinder { radius, height, ..OpenCylinder::default() };
+            BodyShape::Parametric(ParametricShape::OpenCylinder(open))
         }
         Shape::Cone { radius, top_radius, height } => {
-            BodyShape::Parametric(ParametricShape::OpenCone(OpenCone { radius, top_radius, height }))
+            let open = OpenCone { radius, top_radius, height, ..OpenCone::default() };
+            BodyShape::Parametric(ParametricShape::OpenCone(open))
         }
         closed => BodyShape::Plain(closed),
     }

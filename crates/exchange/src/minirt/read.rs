@@ -268,7 +268,7 @@ impl MiniRtReader {
         let side = arguments.size(Argument::Side, draft);
         let color = arguments.color(draft);
         let geometry = center.zip(normal).zip(side).map(|((center, normal), side)| {
-            let square = Rectangle { width: side.value, length: side.value };
+            let square = Rectangle { width: side.value, length: side.value, ..Rectangle::default() };
             let shape = BodyShape::Parametric(ParametricShape::Rectangle(square));
             (shape, turned(center.value, normal.value))
         });

@@ -115,6 +115,7 @@ fn element(title: &Title, body: &Body, material: &Phong, out: &mut SceneText) {
         }
         _ => return out.lose(Message::LosesShape { title: title.clone() }),
     };
+    out.side(&form, title);
     let reflection = material.reflection();
     if material.transmission > 0.0 {
         out.lose(Message::LosesTransmission { title: title.clone() });
@@ -155,13 +156,13 @@ fn element(title: &Title, body: &Body, material: &Phong, out: &mut SceneText) {
 /// A square or a triangle in a frame with this turn, and this scale if it is uniform.
 fn flat(shape: ParametricShape, (frame, turn, scale): (DAffine3, DMat3, Option<f64>)) -> Option<String> {
     match (shape, scale) {
-        (ParametricShape::Rectangle(Rectangle { width, length }), Some(scale))
+        (ParametricShape::Rectangle(Rectangle { width, length, .. }), Some(scale))
             if width == length && is_shortest(turn) =>
         {
             let [center, up] = [frame.translation, turn.y_axis].map(|point| three(point, ","));
             Some(format!("sq {center} {up} {}", decimal(width * scale)))
         }
-        (ParametricShape::Triangle(Triangle { a, b, c }), _) => {
+        (ParametricShape::Triangle(Triangle { a, b, c, .. }), _) => {
             let corners = [a, b, c].map(|corner| three(frame.transform_point3(corner), ","));
             Some(format!("tr {}", corners.join(" ")))
         }

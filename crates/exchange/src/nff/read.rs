@@ -4,7 +4,8 @@ use std::ops::Range;
 
 use catoptric_scene::{
     Anchor, Body, BodyShape, Camera, Color, Diagnostics, Expansion, Light, Material, MaterialChoice,
-    OpenCone, OpenCylinder, ParametricShape, Pattern, Phong, Placement, Projection, Shape, rotation_degrees,
+    OpenCone, OpenCylinder, ParametricShape, Pattern, Phong, Placement, Projection, Shape, VisibleSide,
+    rotation_degrees,
 };
 use glam::{DQuat, DVec3};
 
@@ -32,7 +33,7 @@ pub(crate) fn read(text: &str, options: &ImportOptions) -> Result<ImportedScene,
         draft: Draft::new(options),
         fill: None,
         view: None,
-        one_sided: None,
+        last_side: None,
         colorless: Vec::new(),
     };
     let mut lines = lines(text);
@@ -47,8 +48,8 @@ struct NffReader {
     /// The material of what follows.
     fill: Option<Phong>,
     view: Option<Range<usize>>,
-    /// The first of what is seen from one side only.
-    one_sided: Option<Range<usize>>,
+    /// What the other side of the last surface would be, which is the body of this index.
+    last_side: Option<(usize, Vec<f64>)>,
     /// Lights whose color follows from their number.
     colorless: Vec<(usize, Range<usize>)>,
 }
@@ -231,6 +232,25 @@ impl NffReader {
         MaterialChoice::Inline(Box::new(Material::Phong(self.fill.clone().unwrap_or_default())))
     }
 
+    /// Whether a surface of these numbers is the other side of the one before it, which is then seen from both. Else it is
+    /// to be a body, with an other side of `mirrored` numbers.
+    fn completes(&mut self, numbers: &[f64], mirrored: Vec<f64>) -> bool {
+        let fill = self.fill.as_ref();
+        let bodies = self.draft.bodies_mut();
+        let index = bodies.len();
+        let last = self.last_side.replace((index, mirrored));
+        let Some((_, body)) = last.zip(bodies.last_mut()).filter(|((last, other), body)| {
+            let is_same_fill =
+                matches!(&body.material, MaterialChoice::Inline(own) if own.as_phong() == fill);
+            last + 1 == index && other == numbers && is_same_fill
+        }) else {
+            return false;
+        };
+        body.change_shape(|shape| shape.set_word("visible_side", VisibleSide::Both.key()));
+        self.last_side = None;
+        true
+    }
+
     fn sphere(&mut self, line: &[Word<'_>], span: &Range<usize>) {
         let Some(numbers) = self.numbers(line, "s", &[4], span) else { return };
         let &[x, y, z, radius] = numbers.as_slice() else { return };
@@ -262,23 +282,24 @@ impl NffReader {
         let &[x, y, z, radius, top_x, top_y, top_z, top_radius] = numbers.as_slice() else { return };
         let (base, top) = (DVec3::new(x, y, z), DVec3::new(top_x, top_y, top_z));
         let material = self.material(span);
-        if radius < 0.0 || top_radius < 0.0 {
-            if radius > 0.0 || top_radius > 0.0 {
-                return self.draft.error(span, Message::MixedRadii);
-            }
-            self.draft.warn(span, Message::InsideOnly);
-        } else {
-            self.one_sided.get_or_insert(span.clone());
+        let is_inner = radius < 0.0 || top_radius < 0.0;
+        if is_inner && (radius > 0.0 || top_radius > 0.0) {
+            return self.draft.error(span, Message::MixedRadii);
         }
+        let mirrored = vec![x, y, z, -radius, top_x, top_y, top_z, -top_radius];
+        if self.completes(&numbers, mirrored) {
+            return;
+        }
+        let side = if is_inner { VisibleSide::Inner } else { VisibleSide::Outer };
         let (radius, top_radius) = (radius.abs(), top_radius.abs());
         let height = base.distance(top);
         // An apex is above.
         let (base, top, radius, top_radius) =
             if radius > 0.0 { (base, top, radius, top_radius) } else { (top, base, top_radius, radius) };
         let shape = BodyShape::Parametric(if radius == top_radius {
-            ParametricShape::OpenCylinder(OpenCylinder { radius, height })
+            ParametricShape::OpenCylinder(OpenCylinder { radius, height, side })
         } else {
-            ParametricShape::OpenCone(OpenCone { radius, top_radius, height })
+            ParametricShape::OpenCone(OpenCone { radius, top_radius, height, side })
         });
         let turn = DQuat::from_rotation_arc(DVec3::Y, (top - base).normalize_or(DVec3::Y));
         let anchor = Anchor::Frame { position: base, rotation_degrees: rotation_degrees(turn) };
@@ -314,17 +335,23 @@ impl NffReader {
             self.draft.unsupported(span, Message::NoNormals, Message::IsFlat);
         }
         let material = self.material(span);
-        self.one_sided.get_or_insert(span.clone());
+        let numbers = |corner: &DVec3| corner.to_array();
+        let own: Vec<f64> = corners.iter().flat_map(numbers).collect();
+        if self.completes(&own, corners.iter().rev().flat_map(numbers).collect()) {
+            return;
+        }
+        let side = VisibleSide::Outer;
         if let &[a, b, c] = corners.as_slice() {
-            let (shape, placement) = triangle_at([a, b, c]);
+            let (mut shape, placement) = triangle_at([a, b, c]);
+            shape.set_word("visible_side", side.key());
             self.draft.body(Body { placement, material, ..Body::of_shape(shape) }, span);
             return;
         }
         let middle = corners.iter().sum::<DVec3>() / corners.len().max(1) as f64;
         let own: Vec<DVec3> = corners.iter().map(|corner| corner - middle).collect();
         match Expansion::convex_polygon(&own) {
-            Some(Expansion { shape, parts }) => {
-                let placement = Placement::at(middle);
+            Some(Expansion { parts, .. }) => {
+                let (shape, placement) = (Shape::Surface { side }, Placement::at(middle));
                 self.draft.body(Body { shape, parts, placement, material, ..Body::default() }, span);
             }
             None => {
@@ -339,9 +366,6 @@ impl NffReader {
         match &self.view {
             Some(span) => draft.note(&span.clone(), Message::LightsAreCodes, Some(Message::ToneCurveHelp)),
             None => draft.error(&(0..0), Message::NoView),
-        }
-        if let Some(span) = &self.one_sided {
-            draft.note(span, Message::BothSides, None);
         }
         if let Some((_, span)) = self.colorless.first() {
             // Haines: with n lights each has the intensity √n / n.

@@ -1,7 +1,7 @@
 //! Writing NFF.
 
 use catoptric_scene::{
-    Body, Color, OpenCone, OpenCylinder, ParametricShape, Rectangle, Scene, Shape, Triangle,
+    Body, Color, OpenCone, OpenCylinder, ParametricShape, Rectangle, Scene, Shape, Triangle, VisibleSide,
 };
 use glam::DVec3;
 
@@ -65,32 +65,47 @@ pub(crate) fn write(scene: &Scene, options: &ExportOptions) -> SceneText {
 fn record(body: &Body) -> Option<String> {
     let (frame, scale) = (body.placement.world_from_body(), body.placement.scale);
     let is_round = scale.x == scale.z;
-    let ends = |[radius, top_radius]: [f64; 2], height: f64| {
-        let line = |y: f64, radius: f64| {
-            format!("{} {}", three(frame.transform_point3(DVec3::Y * y), " "), decimal(radius * scale.x))
-        };
-        format!("c\n{}\n{}", line(0.0, radius), line(height, top_radius))
+    // The format has each side by itself.
+    let sides = |side: VisibleSide, record: &dyn Fn(bool) -> String| {
+        let sides = [true, false].into_iter().filter(|is_outer| side.is_met(*is_outer));
+        Some(sides.map(record).collect::<Vec<_>>().join("\n"))
     };
-    let polygon = |corners: &[DVec3]| {
-        let corners =
-            corners.iter().map(|corner| format!("\n{}", three(frame.transform_point3(*corner), " ")));
-        format!("p {}{}", corners.len(), corners.collect::<String>())
+    let ends = |side: VisibleSide, [radius, top_radius]: [f64; 2], height: f64| {
+        sides(side, &|is_outer| {
+            let line = |y: f64, radius: f64| {
+                let end = three(frame.transform_point3(DVec3::Y * y), " ");
+                let radius = radius * if is_outer { scale.x } else { -scale.x };
+                // No zero has a sign.
+                format!("{end} {}", decimal(radius + 0.0))
+            };
+            format!("c\n{}\n{}", line(0.0, radius), line(height, top_radius))
+        })
+    };
+    let polygon = |side: VisibleSide, corners: &[DVec3]| {
+        sides(side, &|is_outer| {
+            let mut lines: Vec<String> =
+                corners.iter().map(|corner| three(frame.transform_point3(*corner), " ")).collect();
+            if !is_outer {
+                lines.reverse();
+            }
+            format!("p {}\n{}", lines.len(), lines.join("\n"))
+        })
     };
     match (body.shape, body.form().parametric()) {
         (Shape::Sphere { radius }, _) if is_round && scale.x == scale.y => {
             Some(format!("s {} {}", three(frame.translation, " "), decimal(radius * scale.x)))
         }
-        (_, Some(&ParametricShape::OpenCylinder(OpenCylinder { radius, height }))) if is_round => {
-            Some(ends([radius, radius], height))
+        (_, Some(&ParametricShape::OpenCylinder(OpenCylinder { radius, height, side }))) if is_round => {
+            ends(side, [radius, radius], height)
         }
-        (_, Some(&ParametricShape::OpenCone(OpenCone { radius, top_radius, height }))) if is_round => {
-            Some(ends([radius, top_radius], height))
+        (_, Some(&ParametricShape::OpenCone(OpenCone { radius, top_radius, height, side }))) if is_round => {
+            ends(side, [radius, top_radius], height)
         }
-        (_, Some(&ParametricShape::Triangle(Triangle { a, b, c }))) => Some(polygon(&[a, b, c])),
-        (_, Some(&ParametricShape::Rectangle(Rectangle { width, length }))) => {
+        (_, Some(&ParametricShape::Triangle(Triangle { a, b, c, side }))) => polygon(side, &[a, b, c]),
+        (_, Some(&ParametricShape::Rectangle(Rectangle { width, length, side }))) => {
             let [x, z] = [0.5 * width, 0.5 * length];
             let corners = [[-x, z], [x, z], [x, -z], [-x, -z]];
-            Some(polygon(&corners.map(|[x, z]| DVec3::new(x, 0.0, z))))
+            polygon(side, &corners.map(|[x, z]| DVec3::new(x, 0.0, z)))
         }
         _ => None,
     }

@@ -232,8 +232,8 @@ fn errors_have_their_places_and_come_all_at_once() {
             "8:3: error: `triangle` lacks `p3`\n10:7: error: `p2` is a list",
         ),
         (
-            "- add: sphere\n  size: 3\n- add: cube\n  shadow: false\n",
-            "9:3: error: `sphere` has no key `size`\n11:11: error: a body without a shadow is not drawn",
+            "- add: sphere\n  size: 3\n- add: csg\n  operation: union\n  left: {type: cube, shadow: false}\n  right: {type: sphere}\n",
+            "9:3: error: `sphere` has no key `size`\n12:30: error: an operand of a `csg` has its shadow",
         ),
         ("- add: sphere\n  transform:\n  - [rotate, 1]\n", "10:5: error: there is no transform `rotate`"),
         (
@@ -306,10 +306,65 @@ fn bombs_end_in_an_error() {
     }
 }
 
+/// Chapter 11, "shade_hit() with a transparent material" and "… with a reflective, transparent material": refraction,
+/// Schlick's formula, and no light that passes what is clear.
 #[test]
-fn the_books_differences_are_named() {
+fn clear_bodies_have_the_light_of_the_book() {
+    let world = "- add: light\n  at: [-10, 10, -10]\n  intensity: [1, 1, 1]\n\
+         - add: sphere\n  material: {color: [0.8, 1.0, 0.6], diffuse: 0.7, specular: 0.2}\n\
+         - add: sphere\n  transform:\n  - [scale, 0.5, 0.5, 0.5]\n\
+         - add: sphere\n  material: {color: [1, 0, 0], ambient: 0.5}\n  transform:\n  - [translate, 0, -3.5, -0.5]\n";
+    for (reflective, expected) in [("0", [0.93642, 0.68642, 0.68642]), ("0.5", [0.93391, 0.69643, 0.69243])] {
+        let text = format!(
+            "- add: camera\n  width: 1\n  height: 1\n  field-of-view: 0.1\n  from: [0, 0, -3]\n  to: [0, -1, -2]\n  \
+             up: [0, 1, 0]\n{world}- add: plane\n  transform:\n  - [translate, 0, -1, 0]\n  \
+             material: {{reflective: {reflective}, transparency: 0.5, refractive-index: 1.5}}\n"
+        );
+        let found = good(FORMAT, &text, &ImportOptions::default());
+        assert_eq!(count(&found.report, Severity::Warning), 0, "{}", found.report);
+        let light = pixel(&found, [1, 1], [0, 0]);
+        let is_near = light.iter().zip(expected).all(|(found, expected)| (found - expected).abs() < 2e-5);
+        assert!(is_near, "{light:?}, not {expected:?}");
+    }
+}
+
+/// Chapter 8: what is clear shades as what is not, and what has no shadow not at all.
+#[test]
+fn shadows_are_those_of_the_book() {
+    for (of_ball, lit) in [
+        ("  material: {transparency: 1, ambient: 0}\n", 0.0),
+        ("  shadow: false\n", 1.0),
+        ("  material: {transparency: 1}\n  shadow: false\n", 1.0),
+        ("", 0.0),
+    ] {
+        let found = read(&format!(
+            "- add: light\n  at: [0, 0, -10]\n  intensity: [1, 1, 1]\n- add: group\n  children:\n  - add: sphere\n    \
+             transform:\n    - [translate, 0, 0, -7.5]\n{}- add: plane\n  transform:\n  - [rotate-x, 1.5707963267948966]\n  \
+             material: {{ambient: 0, diffuse: 1, specular: 0}}\n",
+            of_ball.replace("  ", "    ")
+        ));
+        // The ball is behind the eye.
+        assert_light(pixel(&found, [1, 1], [0, 0]), [lit; 3]);
+    }
+}
+
+/// A light in the middle of each cell, of an equal share of the whole.
+#[test]
+fn an_area_light_is_a_grid_of_lights() {
     let found = read(
-        "- add: sphere\n  material:\n    transparency: 0.9\n    reflective: 0.9\n- add: cube\n  material:\n    transparency: 1\n",
+        "- add: light\n  corner: [-1, 2, -4]\n  uvec: [2, 0, 0]\n  vvec: [0, 2, 0]\n  usteps: 4\n  vsteps: 2\n  \
+         jitter: true\n  intensity: [1.5, 1.5, 1.5]\n",
     );
-    assert_eq!(count(&found.report, Severity::Warning), 2, "{}", found.report);
+    let lights = &found.scene.lights;
+    assert_eq!(lights.len(), 8);
+    assert_eq!(lights[0].position, DVec3::new(-0.75, 2.5, 4.0));
+    assert_eq!(lights[7].position, DVec3::new(0.75, 3.5, 4.0));
+    assert!(lights.iter().all(|light| light.intensity == 0.125));
+    assert_eq!(found.scene.environment.ambient.to_array(), [1.5; 3]);
+    let found = bad(
+        FORMAT,
+        &scene("- add: light\n  corner: [0, 0, 0]\n  uvec: [1, 0, 0]\n  vvec: [0, 1, 0]\n  usteps: 99\n"),
+    );
+    assert!(found.contains("`usteps` is 99"), "{found}");
+    assert!(found.contains("lacks `vsteps`"), "{found}");
 }

@@ -1,7 +1,9 @@
 //! NFF: known answers and errors.
 
 use catoptric_exchange::{ForeignFormat, ImportOptions};
-use catoptric_scene::{Body, BodyShape, OpenCone, OpenCylinder, ParametricShape, Shape, ShapeKind};
+use catoptric_scene::{
+    Body, BodyShape, OpenCone, OpenCylinder, ParametricShape, Shape, ShapeKind, VisibleSide,
+};
 
 use crate::common::{assert_light, bad, good, pixel};
 
@@ -32,17 +34,55 @@ fn cones_and_polygons_are_surfaces() {
     let shapes: Vec<_> = found.scene.bodies.iter().map(Body::body_shape).collect();
     let parametric = |shape: ParametricShape| BodyShape::Parametric(shape);
     let open_cone = |radius, top_radius, height| {
-        parametric(ParametricShape::OpenCone(OpenCone { radius, top_radius, height }))
+        parametric(ParametricShape::OpenCone(OpenCone {
+            radius,
+            top_radius,
+            height,
+            side: VisibleSide::Outer,
+        }))
     };
     assert_eq!(shapes[0], open_cone(0.5, 1.0, 2.0));
     assert_eq!(shapes[1].kind(), ShapeKind::Triangle);
     assert_eq!(shapes[2], BodyShape::Plain(Shape::Sphere { radius: 1.0 }));
     assert_eq!(shapes[3], open_cone(2.0, 0.0, 3.0), "an apex is above");
-    let cylinder = ParametricShape::OpenCylinder(OpenCylinder { radius: 1.0, height: 2.0 });
+    // A negative radius is that of the inner side.
+    let cylinder = OpenCylinder { radius: 1.0, height: 2.0, side: VisibleSide::Inner };
+    let cylinder = ParametricShape::OpenCylinder(cylinder);
     assert_eq!(shapes[4], parametric(cylinder));
     assert_eq!((shapes[5].kind(), found.scene.bodies[5].parts.len()), (ShapeKind::Surface, 6));
-    let said = found.report.to_string();
-    assert!(said.contains("drawn from both"), "{said}");
+}
+
+/// Polygons are seen from where their corners go around against the clock, cones from outside, or from inside if their radii
+/// are negative. One after another of the same material, both sides are one surface.
+#[test]
+fn surfaces_have_one_side() {
+    let [red, black] = [[1.0, 0.0, 0.0], [0.0; 3]];
+    let view = VIEW.replace("0.1 0.2 0.3", "0 0 0");
+    let square = ["-1 -1 0", "1 -1 0", "1 1 0", "-1 1 0"];
+    let polygon = |corners: &[&str]| format!("p {}\n{}\n", corners.len(), corners.join("\n"));
+    let backwards: Vec<&str> = square.iter().rev().copied().collect();
+    let (front, back) = (polygon(&square), polygon(&backwards));
+    // The light is within the pipe, at the eye.
+    let cone = |sign: f64| format!("c\n0 0 -9 {}\n0 0 9 {}\n", sign, sign * 2.0);
+    for (surfaces, bodies, seen) in [
+        (front.clone(), 1, red),
+        (back.clone(), 1, black),
+        (format!("{front}{back}"), 1, red),
+        (format!("{back}{front}"), 1, red),
+        (format!("{back}{back}"), 2, black),
+        (format!("{back}f 0 1 0 1 0 1 0 0\n{front}"), 2, [0.0, 1.0, 0.0]),
+        (format!("{front}s 9 9 9 1\n{back}"), 3, red),
+        (polygon(&backwards[..3]), 1, black),
+        (cone(1.0), 1, black),
+        (cone(1.0) + &cone(-1.0), 1, [1.0, 0.0, 0.0]),
+    ] {
+        let text = format!("{view}l 0 0 5\nf 1 0 0 1 0 1 0 0\n{surfaces}");
+        let found = good(FORMAT, &text, &ImportOptions::default());
+        assert_eq!(found.scene.bodies.len(), bodies, "{surfaces}");
+        let light = pixel(&found, [9, 9], [2, 5]);
+        let is_seen = light.iter().any(|part| *part > 0.01);
+        assert_eq!(is_seen, seen != black, "{surfaces}: {light:?}");
+    }
 }
 
 #[test]

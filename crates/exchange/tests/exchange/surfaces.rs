@@ -3,7 +3,7 @@
 use catoptric_exchange::{Dialect, ForeignFormat, ImportOptions};
 use catoptric_scene::{
     Anchor, Body, BodyShape, Color, Light, MaterialChoice, OpenCone, OpenCylinder, ParametricShape, Phong,
-    Placement, Rectangle, Scene, ShapeKind, Triangle,
+    Placement, Rectangle, Scene, ShapeKind, Triangle, VisibleSide,
 };
 use catoptric_tracer::{Ray, RenderControl, RenderScene, RenderSettings, render};
 use glam::{DVec3, Vec3};
@@ -139,27 +139,35 @@ fn surface() -> impl Strategy<Value = ParametricShape> {
     let corner = move || (number(), number(), number()).prop_map(|(x, y, z)| DVec3::new(x, y, z));
     prop_oneof![
         (0.2..1.0f64, 0.5..2.0f64)
-            .prop_map(|(radius, height)| ParametricShape::OpenCylinder(OpenCylinder { radius, height })),
+            .prop_map(|(radius, height)| OpenCylinder { radius, height, ..OpenCylinder::default() })
+            .prop_map(ParametricShape::OpenCylinder),
         (0.2..1.0f64, 0.0..1.0f64, 0.5..2.0f64).prop_map(|(radius, top_radius, height)| {
-            ParametricShape::OpenCone(OpenCone { radius, top_radius, height })
+            ParametricShape::OpenCone(OpenCone { radius, top_radius, height, ..OpenCone::default() })
         }),
-        (0.5..2.0f64).prop_map(|side| ParametricShape::Rectangle(Rectangle { width: side, length: side })),
-        (corner(), corner(), corner()).prop_map(|(a, b, c)| ParametricShape::Triangle(Triangle { a, b, c })),
+        (0.5..2.0f64)
+            .prop_map(|side| Rectangle { width: side, length: side, ..Rectangle::default() })
+            .prop_map(ParametricShape::Rectangle),
+        (corner(), corner(), corner())
+            .prop_map(|(a, b, c)| Triangle { a, b, c, ..Triangle::default() })
+            .prop_map(ParametricShape::Triangle),
     ]
 }
 
 fn scene() -> impl Strategy<Value = Scene> {
     let place = (-2.0..2.0f64, -2.0..2.0f64, -2.0..2.0f64);
     let turn = (-170.0..170.0f64, -170.0..170.0f64, -170.0..170.0f64);
-    prop::collection::vec((surface(), place, turn), 1..5).prop_map(|surfaces| {
-        let bodies = surfaces.into_iter().map(|(shape, position, rotation)| {
+    let side = prop::sample::select(VisibleSide::ALL.to_vec());
+    prop::collection::vec((surface(), side, place, turn), 1..5).prop_map(|surfaces| {
+        let bodies = surfaces.into_iter().map(|(shape, side, position, rotation)| {
+            let mut shape = BodyShape::Parametric(shape);
+            shape.set_word("visible_side", side.key());
             let anchor =
                 Anchor::Frame { position: DVec3::from(position), rotation_degrees: DVec3::from(rotation) };
             let phong = Phong { ambient: 0.0, diffuse: 1.0, ..Phong::default() };
             Body {
                 placement: Placement { anchor, scale: DVec3::ONE },
                 material: MaterialChoice::own(Phong { reflection: Some(0.0), ..phong }),
-                ..Body::of_shape(BodyShape::Parametric(shape))
+                ..Body::of_shape(shape)
             }
         });
         let mut scene = Scene { bodies: bodies.collect(), ..Scene::default() };
@@ -175,7 +183,11 @@ fn scene() -> impl Strategy<Value = Scene> {
 
 /// What a format can say of a surface.
 fn fits(format: ForeignFormat, body: &Body) -> bool {
-    match (format, body.body_shape().kind()) {
+    let shape = body.body_shape();
+    if format != ForeignFormat::Nff && shape.word("visible_side") != Some("both") {
+        return false;
+    }
+    match (format, shape.kind()) {
         (_, ShapeKind::Triangle) | (ForeignFormat::Nff, _) => true,
         (ForeignFormat::Challenge, kind) => kind != ShapeKind::Rectangle,
         // Turned squares are told by their normal alone.

@@ -178,22 +178,26 @@ fn surfaces_are_those_of_the_cpu() {
         parametric(ShapeKind::Rectangle, DVec3::new(1.5, 0.6, -0.8), clear()),
         parametric(ShapeKind::Triangle, DVec3::new(-1.2, -1.2, 0.9), phong([0.8, 0.4, 0.2], 0.0, 0.0)),
         parametric(ShapeKind::OpenCylinder, DVec3::new(1.0, -0.9, 0.9), glass),
-        joined(Shape::Surface, DVec3::new(0.6, 0.8, 0.4), vec![ball, cut], phong([0.7; 3], 0.3, 0.0)),
+        joined(Shape::SURFACE, DVec3::new(0.6, 0.8, 0.4), vec![ball, cut], phong([0.7; 3], 0.3, 0.0)),
         joined(
             Shape::Group,
             DVec3::new(-2.2, 1.2, -0.6),
             vec![BodyPart {
-                shape: Shape::Surface,
+                shape: Shape::SURFACE,
                 parts: vec![part(Shape::PARABOLOID, DVec3::ZERO)],
                 ..BodyPart::default()
             }],
             clear(),
         ),
     ];
-    let mut scene = lit(bodies);
-    scene.tracing.generations = 4;
-    let faults = faults_of(&card, "surfaces", &scene);
-    assert!(faults.is_empty(), "{}", faults.join("\n"));
+    for (side, name) in [("both", "surfaces"), ("outer", "outer sides"), ("inner", "inner sides")] {
+        let mut bodies = bodies.clone();
+        bodies.iter_mut().for_each(|body| body.change_shape(|shape| shape.set_word("visible_side", side)));
+        let mut scene = lit(bodies);
+        scene.tracing.generations = 4;
+        let faults = faults_of(&card, name, &scene);
+        assert!(faults.is_empty(), "{}", faults.join("\n"));
+    }
 }
 
 /// A lens is one medium, whatever it is made of, also for rays that start in it.

@@ -1,8 +1,9 @@
 //! Numbers that look random, and scenes made of them.
 
 use catoptric_scene::{
-    Attenuation, Body, Coated, Color, Conductor, Dielectric, Falloff, Light, Material, MaterialChoice, Matte,
-    MetalOptics, Mirror, Pattern, Phong, Placement, RefractiveIndex, Scene, Shape, SolidKind, SolidTexture,
+    Attenuation, Body, Coated, Color, Conductor, Dielectric, Falloff, FresnelTerm, Light, Material,
+    MaterialChoice, Matte, MetalOptics, Mirror, Pattern, Phong, Placement, RefractiveIndex, Scene, Shadow,
+    Shape, SolidKind, SolidTexture,
 };
 use glam::DVec3;
 
@@ -70,7 +71,11 @@ impl Numbers {
             2 => Mirror { pattern, reflection: Some(0.9), roughness }.into(),
             3 => Coated { pattern, ior: self.between(1.0, 2.5), roughness, ..Coated::default() }.into(),
             4 => Matte { pattern, ..Matte::default() }.into(),
-            5 => Phong { pattern, specular: 0.4, transmission: 0.5, ior: 1.4, ..Phong::default() }.into(),
+            5 => {
+                let fresnel = FresnelTerm::ALL[self.below(2) as usize];
+                Phong { pattern, specular: 0.4, transmission: 0.5, ior: 1.4, fresnel, ..Phong::default() }
+                    .into()
+            }
             _ => self.glass(roughness).into(),
         }
     }
@@ -95,6 +100,7 @@ impl Numbers {
             shape,
             placement: Placement::at(self.point(1.6)),
             material: MaterialChoice::Inline(Box::new(self.material())),
+            shadow: [Shadow::Filtered, Shadow::Filtered, Shadow::None, Shadow::Full][self.below(4) as usize],
             ..Body::default()
         }
     }

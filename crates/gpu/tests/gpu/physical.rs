@@ -3,8 +3,9 @@
 
 use catoptric_picture::{Difference, Picture};
 use catoptric_scene::{
-    Attenuation, Body, Coated, Color, Conductor, Dielectric, Example, Light, Material, MaterialChoice, Matte,
-    Mirror, Pattern, Phong, Placement, Projection, RefractiveIndex, Scene, Shape, SolidTexture,
+    Attenuation, Body, Coated, Color, Conductor, Dielectric, Example, FresnelTerm, Light, Material,
+    MaterialChoice, Matte, Mirror, Pattern, Phong, Placement, Projection, RefractiveIndex, Scene, Shape,
+    SolidTexture,
 };
 use glam::DVec3;
 
@@ -82,7 +83,10 @@ fn materials_close_by_are_those_of_the_cpu() {
     let splitting = RefractiveIndex::Own { ior: 1.5, abbe: 20.0 };
     let pattern = || Pattern { solid: checker.clone(), ..Pattern::default() };
     let coated = |roughness| Coated { pattern: pattern(), roughness, ..Coated::default() };
-    let materials: [(&str, Material); 7] = [
+    let weighed =
+        Phong { transmission: 0.9, reflection: Some(0.9), specular: 0.3, diffuse: 0.1, ..Phong::default() };
+    let materials: [(&str, Material); 8] = [
+        ("glass by Schlick", Phong { fresnel: FresnelTerm::Schlick, ..weighed }.into()),
         ("frosted glass", tinted(0.4).into()),
         ("tinted glass", tinted(0.0).into()),
         (

@@ -37,6 +37,7 @@ pub(crate) fn kinds() -> Vec<ShaderSpecialization> {
                     depth,
                     media,
                     stack,
+                    shadowless: shapes == 127,
                     solids: shapes % 2 == 1,
                     any_solids: depth == 1,
                     asks_each_start,

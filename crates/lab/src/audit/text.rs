@@ -250,7 +250,7 @@ impl AuditText<'_> {
         if answer.law.has_ground() || answer.law == ReflectionModel::Mirror {
             self.line("color", &format!("C = {}{second}", exact_color(answer.color)));
         }
-        if answer.law == ReflectionModel::Constant {
+        if matches!(answer.law, ReflectionModel::Constant | ReflectionModel::Schlick) {
             self.line(
                 "ambient",
                 &format!(
@@ -270,6 +270,7 @@ impl AuditText<'_> {
         self.local(node, answer);
         let by = match (answer.law, node.incidence) {
             (ReflectionModel::Constant, _) | (_, None) => String::new(),
+            (ReflectionModel::Schlick, Some(angle)) => format!(" by Schlick's formula at {}", degrees(angle)),
             (ReflectionModel::Mirror, _) => " in the mirror's color".to_owned(),
             (ReflectionModel::Dielectric, Some(angle)) => format!(" by Fresnel at {}", degrees(angle)),
             (ReflectionModel::Conductor, Some(angle)) => {

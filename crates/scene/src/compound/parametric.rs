@@ -24,7 +24,7 @@ use glam::{DQuat, DVec3};
 use super::{BodyPart, Form};
 use crate::frame::rotation_degrees;
 use crate::placement::{Anchor, Placement};
-use crate::shape::{Shape, ShapeKind};
+use crate::shape::{Shape, ShapeKind, VisibleSide};
 
 pub use bowl::Bowl;
 pub use disc::Disc;
@@ -93,6 +93,11 @@ trait Parametric {
         None
     }
 
+    /// The sides that rays meet, of a surface without inside.
+    fn side_mut(&mut self) -> Option<&mut VisibleSide> {
+        None
+    }
+
     /// The first rule between its sizes that it breaks. Each size is within the limits of its key.
     fn broken_size(&self) -> Option<BrokenSize> {
         None
@@ -130,8 +135,8 @@ impl Expansion {
     }
 
     /// The surface of `first` as far as it lies in all of `cutters`.
-    fn surface(first: BodyPart, cutters: impl IntoIterator<Item = BodyPart>) -> Self {
-        Self { shape: Shape::Surface, parts: [first].into_iter().chain(cutters).collect() }
+    fn surface(side: VisibleSide, first: BodyPart, cutters: impl IntoIterator<Item = BodyPart>) -> Self {
+        Self { shape: Shape::Surface { side }, parts: [first].into_iter().chain(cutters).collect() }
     }
 
     /// The expansion as one part of another.
@@ -320,12 +325,19 @@ impl ParametricShape {
         }
     }
 
-    /// The word that scene files call `key`: the `profile` of a mirror dish.
+    /// The word that scene files call `key`: the `profile` of a mirror dish, the `visible_side` of a surface.
     pub fn word(&self, key: &str) -> Option<&'static str> {
         match self {
             Self::MirrorDish(dish) if key == "profile" => Some(dish.profile.key()),
+            _ if key == "visible_side" => self.visible_side().map(VisibleSide::key),
             _ => None,
         }
+    }
+
+    /// The sides that rays meet; `None` for what has an inside.
+    pub fn visible_side(&self) -> Option<VisibleSide> {
+        let mut shape = *self;
+        shape.as_parametric_mut().side_mut().copied()
     }
 
     /// Sets the word that scene files call `key`. Does nothing if the shape has none, or if it has no such value.
@@ -333,6 +345,11 @@ impl ParametricShape {
         match self {
             Self::MirrorDish(dish) if key == "profile" => {
                 dish.profile = DishProfile::of_key(word).unwrap_or(dish.profile);
+            }
+            _ if key == "visible_side" => {
+                if let Some(side) = self.as_parametric_mut().side_mut() {
+                    *side = VisibleSide::of_key(word).unwrap_or(*side);
+                }
             }
             _ => {}
         }
@@ -459,15 +476,16 @@ impl BodyShape {
     /// The word that scene files call `key`, if the shape has it.
     pub fn word(&self, key: &str) -> Option<&'static str> {
         match self {
-            Self::Plain(_) => None,
+            Self::Plain(shape) => shape.word(key),
             Self::Parametric(shape) => shape.word(key),
         }
     }
 
     /// Sets the word that scene files call `key`. Does nothing if the shape has none, or if it has no such value.
     pub fn set_word(&mut self, key: &str, word: &str) {
-        if let Self::Parametric(shape) = self {
-            shape.set_word(key, word);
+        match self {
+            Self::Plain(shape) => shape.set_word(key, word),
+            Self::Parametric(shape) => shape.set_word(key, word),
         }
     }
 

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
-use crate::body::Body;
+use crate::body::{Body, Shadow};
 use crate::camera::{Camera, Projection};
 use crate::compound::{BodyPart, BodyShape, Instance};
 use crate::format::diagnostic::{Diagnostic, Diagnostics};
@@ -203,15 +203,17 @@ impl<'t> SceneBuilder<'_, 't> {
         let mut parts = PartPositions::default();
         let built = self.part_of(&keys::BODY, table, &mut parts);
         let mut fields = Fields { text: self.text, spec: &keys::BODY, table, found: self.found };
-        let (hidden, locked) = (fields.flag("hidden"), fields.flag("locked"));
+        let shadow = fields.choice("shadow").ok().flatten().and_then(Shadow::of_key).unwrap_or_default();
+        let [hidden, locked] = ["hidden", "locked"].map(|key| fields.flag(key).unwrap_or_default());
         let BodyPart { name, shape, placement, material, parts: own, parametric, instance } = built.part;
         let body = Body {
             name,
             shape,
             placement,
             material: material.unwrap_or_default(),
-            hidden: hidden.unwrap_or_default(),
-            locked: locked.unwrap_or_default(),
+            hidden,
+            shadow,
+            locked,
             parts: own,
             parametric,
             instance,

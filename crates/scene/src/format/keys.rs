@@ -10,9 +10,10 @@ pub(crate) mod russian;
 use self::common::{LAYER, ROTATION, SCALE, amount, flag};
 pub use self::material::{MATERIAL, NESTED_PATTERN, PATTERN};
 use crate::Tracing;
+use crate::body::Shadow;
 use crate::compound::{DishProfile, Lens, Prism};
 use crate::format::spec::{Default, KeySpec, Kind, Limits, TableSpec};
-use crate::shape::ShapeKind;
+use crate::shape::{ShapeKind, VisibleSide};
 
 /// Versions of the format that can be read; the last one is written.
 pub const VERSIONS: &[&str] = &["catoptric/1"];
@@ -218,6 +219,7 @@ pub static BODY: TableSpec = TableSpec {
         CURVATURE_RADIUS,
         FRONT_RADIUS,
         BACK_RADIUS,
+        VISIBLE_SIDE,
         BASE,
         TOP,
         KeySpec::new("position", Kind::Vector(Limits::PLACE), "the place of the body's own origin, meters")
@@ -235,6 +237,13 @@ pub static BODY: TableSpec = TableSpec {
             "hidden",
             "whether the body takes no part in the picture: not seen, not reflected, without a shadow",
         ),
+        KeySpec::new(
+            "shadow",
+            Kind::Choice(Shadow::KEYS),
+            "what of light on its way to others passes the body: what its surfaces let through (`filtered`), all of it \
+             (`none`: it casts no shadow) or nothing (`full`)",
+        )
+        .or(Default::Text(Shadow::Filtered.key())),
         flag("locked", "whether the studio leaves the body as it is; no picture depends on it"),
         parts(&PART),
     ],
@@ -266,6 +275,7 @@ pub static PART: TableSpec = TableSpec {
         CURVATURE_RADIUS,
         FRONT_RADIUS,
         BACK_RADIUS,
+        VISIBLE_SIDE,
         BASE,
         TOP,
         KeySpec::new(
@@ -293,7 +303,8 @@ const INSTANCE_OF: KeySpec = KeySpec::new(
 )
 .excluding(&[
     "shape", "sides", "radius", "inner_radius", "top_radius", "size", "thickness", "height", "profile", "focal_length",
-    "ior", "curvature_radius", "front_radius", "back_radius", "width", "length", "a", "b", "c", "base", "top", "parts",
+    "ior", "curvature_radius", "front_radius", "back_radius", "width", "length", "a", "b", "c", "visible_side", "base",
+    "top", "parts",
 ]);
 const SHAPE: KeySpec = KeySpec::new("shape", Kind::Choice(&SHAPE_NAMES), "the shape of the body")
     .or(Default::Text(ShapeKind::Sphere.key()))
@@ -457,6 +468,14 @@ const BACK_RADIUS: KeySpec = KeySpec::new(
 .or(Default::Number(-1.0))
 .only("shape", &["lens"])
 .written();
+const VISIBLE_SIDE: KeySpec = KeySpec::new(
+    "visible_side",
+    Kind::Choice(VisibleSide::KEYS),
+    "the side of a surface that is seen: the outer one, to which its normal points, the inner one, or both; from the other \
+     nothing is there",
+)
+.or(Default::Text(VisibleSide::Both.key()))
+.only("shape", &["surface", "open-cylinder", "open-cone", "disc", "rectangle", "triangle"]);
 const BASE: KeySpec = KeySpec::new(
     "base",
     Kind::Vector(Limits::PLACE),

@@ -6,8 +6,8 @@ use crate::format::keys;
 use crate::format::record::{Datum, Record, picture};
 use crate::format::typed::Fields;
 use crate::material::{
-    Attenuation, Coated, Conductor, Dielectric, Material, Matte, MetalOptics, Mirror, Model, Pattern,
-    PatternSpace, Phong, RefractiveIndex, SolidKind, SolidTexture, ThinDielectric,
+    Attenuation, Coated, Conductor, Dielectric, FresnelTerm, Material, Matte, MetalOptics, Mirror, Model,
+    Pattern, PatternSpace, Phong, RefractiveIndex, SolidKind, SolidTexture, ThinDielectric,
 };
 
 /// Reads a material but for its pattern, which is a table of its own.
@@ -52,11 +52,23 @@ fn read_phong(fields: &mut Fields<'_, '_, '_>) -> Phong {
         transmission: fields.number("transmission").unwrap_or(default.transmission),
         ior: fields.number("ior").unwrap_or(default.ior),
         tint: fields.color("tint").unwrap_or(default.tint),
+        fresnel: fields.choice("fresnel").ok().flatten().and_then(FresnelTerm::of_key).unwrap_or_default(),
     }
 }
 
 fn record_phong<'a>(record: Record<'a>, phong: &'a Phong) -> Record<'a> {
-    let Phong { pattern, ambient, diffuse, specular, shininess, reflection, transmission, ior, tint } = phong;
+    let Phong {
+        pattern,
+        ambient,
+        diffuse,
+        specular,
+        shininess,
+        reflection,
+        transmission,
+        ior,
+        tint,
+        fresnel,
+    } = phong;
     let record = record
         .color("color", pattern.color)
         .number("ambient", *ambient)
@@ -66,7 +78,8 @@ fn record_phong<'a>(record: Record<'a>, phong: &'a Phong) -> Record<'a> {
         .optional_number("reflection", *reflection)
         .number("transmission", *transmission)
         .number("ior", *ior)
-        .color("tint", *tint);
+        .color("tint", *tint)
+        .text("fresnel", fresnel.key());
     record_details(record, pattern)
 }
 

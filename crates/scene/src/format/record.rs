@@ -216,7 +216,8 @@ pub(crate) fn body(body: &Body) -> Record<'_> {
     if body.instance.as_ref().is_none_or(|instance| instance.has_own_material) {
         record = material_choice(record, &body.material);
     }
-    with_parts(record.flag("hidden", body.hidden).flag("locked", body.locked), &body.form())
+    let record = record.flag("hidden", body.hidden).text("shadow", body.shadow.key());
+    with_parts(record.flag("locked", body.locked), &body.form())
 }
 
 pub(crate) fn part(part: &BodyPart) -> Record<'_> {

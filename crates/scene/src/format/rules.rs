@@ -141,7 +141,7 @@ pub(crate) fn parts(form: &Form<'_>) -> Option<BrokenRule> {
 /// The surface of one simple shape is cut; what has no inside cannot be joined.
 fn surface(form: &Form<'_>) -> Option<BrokenRule> {
     let is_compound = |part: &BodyPart| part.form().shape.is_compound();
-    let (message, help) = if form.shape == Shape::Surface && form.parts.first().is_some_and(is_compound) {
+    let (message, help) = if form.shape.is_surface() && form.parts.first().is_some_and(is_compound) {
         (Message::SurfaceOfJoined, Message::SurfaceOfSimple)
     } else if form.shape != Shape::Group && form.parts.iter().any(|part| has_surface(&part.form())) {
         (Message::SurfaceWithin { shape: form.shape.key() }, Message::SurfaceStandsAlone)
@@ -154,7 +154,7 @@ fn surface(form: &Form<'_>) -> Option<BrokenRule> {
 /// Whether a form is a surface, or a group with one.
 fn has_surface(form: &Form<'_>) -> bool {
     let is_group = form.shape == Shape::Group;
-    form.shape == Shape::Surface || is_group && form.parts.iter().any(|part| has_surface(&part.form()))
+    form.shape.is_surface() || is_group && form.parts.iter().any(|part| has_surface(&part.form()))
 }
 
 /// An instance needs another body, which must not need it, and there is an end to what instances can be.

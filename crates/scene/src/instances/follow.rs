@@ -299,7 +299,7 @@ impl<'s> InstanceFollower<'s> {
         if !shape.is_compound() {
             return PartCount::SIMPLE;
         }
-        let mut count = PartCount { depth: 1, simple: 0, has_surface: shape == Shape::Surface };
+        let mut count = PartCount { depth: 1, simple: 0, has_surface: shape.is_surface() };
         for part in parts {
             let inner = match &part.instance {
                 Some(instance) => self.count_of(instance),

@@ -1,5 +1,7 @@
 //! Phong's and Whitted's coefficients.
 
+use catoptric_optics::fresnel::schlick;
+
 use crate::color::Color;
 use crate::material::{Pattern, Share, largest};
 
@@ -26,6 +28,41 @@ pub struct Phong {
     pub ior: f64,
     /// Tint τ of transmitted light. Default white.
     pub tint: Color,
+    /// How k_r and k_t of a body that lets light through depend on the angle. Default not at all.
+    pub fresnel: FresnelTerm,
+}
+
+/// How the coefficients of reflection and transmission of a clear body depend on the angle of incidence.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum FresnelTerm {
+    /// They count under every angle; where no light passes, all of it is reflected.
+    #[default]
+    Constant,
+    /// They count k_r·R and k_t·(1 − R) with R by C. Schlick's formula (1994, An Inexpensive BRDF Model for
+    /// Physically-based Rendering, eq. 15), which is 1 at total reflection; k_t counts k_t if k_r is 0 (J. Buck 2019, The
+    /// Ray Tracer Challenge, chapter 11).
+    Schlick,
+}
+
+impl FresnelTerm {
+    /// All of them, in the order in which to offer them.
+    pub const ALL: [Self; 2] = [Self::Constant, Self::Schlick];
+
+    /// Their words.
+    pub(crate) const KEYS: &[&str] = &[Self::Constant.key(), Self::Schlick.key()];
+
+    /// The word for it in scene files.
+    pub const fn key(self) -> &'static str {
+        match self {
+            Self::Constant => "constant",
+            Self::Schlick => "schlick",
+        }
+    }
+
+    /// The one of this word.
+    pub fn of_key(key: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|term| term.key() == key)
+    }
 }
 
 impl Phong {
@@ -39,6 +76,7 @@ impl Phong {
         transmission: 0.0,
         ior: 1.5,
         tint: Color::WHITE,
+        fresnel: FresnelTerm::Constant,
     };
 
     /// Reflection coefficient k_r after its default.
@@ -47,11 +85,29 @@ impl Phong {
     }
 
     pub(super) fn reflects(&self) -> Share {
-        Share::always(self.reflection())
+        let most = self.reflection();
+        match self.weighs_by_angle() {
+            true => Share { straight: most * self.schlick(), most },
+            false => Share::always(most),
+        }
     }
 
     pub(super) fn lets_through(&self) -> Share {
-        Share::always(self.transmission * largest(self.tint))
+        let most = self.transmission * largest(self.tint);
+        match self.weighs_by_angle() && self.reflection() > 0.0 {
+            true => Share { straight: most * (1.0 - self.schlick()), most },
+            false => Share::always(most),
+        }
+    }
+
+    /// Whether the coefficients depend on the angle.
+    pub fn weighs_by_angle(&self) -> bool {
+        self.fresnel == FresnelTerm::Schlick && self.transmission * largest(self.tint) > 0.0
+    }
+
+    /// R of light that falls straight on the body in air.
+    fn schlick(&self) -> f64 {
+        schlick(1.0, self.ior)
     }
 }
 

@@ -3,10 +3,10 @@
 use catoptric_optics::{CLEAR, METALS};
 use catoptric_scene::{
     Anchor, Attenuation, Body, BodyPart, BodyShape, Camera, Coated, Color, Conductor, Dielectric,
-    Environment, Falloff, Image, ImageSource, Instance, Light, Material, MaterialChoice, Matte, MetalOptics,
-    Mirror, Model, NamedMaterial, ParaboloidDepth, Pattern, PatternSpace, Phong, Placement, Projection,
-    RefractiveIndex, Scene, Shape, ShapeKind, Sky, SolidKind, SolidTexture, Surroundings, ThinDielectric,
-    Tracing,
+    Environment, Falloff, FresnelTerm, Image, ImageSource, Instance, Light, Material, MaterialChoice, Matte,
+    MetalOptics, Mirror, Model, NamedMaterial, ParaboloidDepth, Pattern, PatternSpace, Phong, Placement,
+    Projection, RefractiveIndex, Scene, Shadow, Shape, ShapeKind, Sky, SolidKind, SolidTexture, Surroundings,
+    ThinDielectric, Tracing, VisibleSide,
 };
 use glam::DVec3;
 use proptest::prelude::*;
@@ -103,10 +103,11 @@ fn ior() -> impl Strategy<Value = f64> {
 
 fn phong() -> impl Strategy<Value = Material> {
     let coefficients = [amount(), amount(), amount(), amount(), amount()];
-    (pattern(), coefficients, reflection(), ior(), color()).prop_map(
-        |(pattern, [ambient, diffuse, specular, shininess, transmission], reflection, ior, tint)| {
-            Phong { pattern, ambient, diffuse, specular, shininess, reflection, transmission, ior, tint }
-                .into()
+    let fresnel = proptest::sample::select(FresnelTerm::ALL.to_vec());
+    (pattern(), coefficients, reflection(), ior(), color(), fresnel).prop_map(
+        |(pattern, [ambient, diffuse, specular, shininess, transmission], reflection, ior, tint, fresnel)| {
+            let own = Phong { ambient, diffuse, specular, shininess, transmission, ..Phong::default() };
+            Phong { pattern, reflection, ior, tint, fresnel, ..own }.into()
         },
     )
 }
@@ -273,6 +274,8 @@ fn parametric() -> impl Strategy<Value = BodyShape> {
             (ShapeKind::OpenCone, 0) => set(&mut shape, &[("top_radius", share)]),
             (ShapeKind::Rectangle, 0) => set(&mut shape, &[("width", share)]),
             (ShapeKind::Triangle, 0) => shape.set_vector("a", DVec3::new(share, 1.0, 2.0)),
+            (ShapeKind::Disc, 0) => shape.set_word("visible_side", "outer"),
+            (ShapeKind::OpenCylinder, 0) => shape.set_word("visible_side", "inner"),
             (ShapeKind::Wedge, 0) => shape.set_vector("size", DVec3::new(share, 1.0, 2.0)),
             _ => {}
         }
@@ -298,7 +301,14 @@ fn part() -> impl Strategy<Value = BodyPart> {
     );
     let alone = prop_oneof![4 => simple, 1 => parametric];
     alone.prop_recursive(3, 12, 3, |inner| {
-        let shapes = vec![Shape::Union, Shape::Intersection, Shape::Difference, Shape::Surface, Shape::Group];
+        let shapes = vec![
+            Shape::Union,
+            Shape::Intersection,
+            Shape::Difference,
+            Shape::SURFACE,
+            Shape::Surface { side: VisibleSide::Inner },
+            Shape::Group,
+        ];
         let parts = proptest::collection::vec(inner, 1..4);
         (name(), proptest::sample::select(shapes), place(), lengths(), proptest::option::of(choice()), parts)
             .prop_map(|(name, shape, position, scale, material, parts)| BodyPart {
@@ -315,17 +325,18 @@ fn part() -> impl Strategy<Value = BodyPart> {
 /// Surfaces are of simple shapes, and stand alone.
 fn can_be_joined(shape: Shape, parts: &[BodyPart]) -> bool {
     fn has_surface(part: &BodyPart) -> bool {
-        part.shape == Shape::Surface || part.shape == Shape::Group && part.parts.iter().any(has_surface)
+        part.shape.is_surface() || part.shape == Shape::Group && part.parts.iter().any(has_surface)
     }
-    !parts.iter().any(has_surface) && (shape != Shape::Surface || !parts[0].shape.is_compound())
+    !parts.iter().any(has_surface) && (!shape.is_surface() || !parts[0].shape.is_compound())
 }
 
 fn body() -> BoxedStrategy<Body> {
-    (part(), choice(), any::<[bool; 2]>())
-        .prop_map(|(part, own, [hidden, locked])| {
+    (part(), choice(), any::<[bool; 2]>(), proptest::sample::select(Shadow::ALL.to_vec()))
+        .prop_map(|(part, own, [hidden, locked], shadow)| {
             let BodyPart { name, shape, placement, material, parts, parametric, instance } = part;
             let material = material.unwrap_or(own);
-            Body { name, shape, placement, material, hidden, locked, parts, parametric, instance }
+            let flags = Body { hidden, shadow, locked, ..Body::default() };
+            Body { name, shape, placement, material, parts, parametric, instance, ..flags }
         })
         .boxed()
 }

@@ -3,7 +3,7 @@
 pub(crate) mod double;
 
 use bytemuck::{Pod, Zeroable};
-use catoptric_scene::Body;
+use catoptric_scene::{Body, Shadow};
 use glam::{DAffine3, DMat3, DVec3};
 
 use crate::geometry::body::double::Body64;
@@ -45,10 +45,28 @@ pub(crate) struct RenderBody {
     pub kind: u8,
     /// 1 if each axis of the frame is parallel to the same one of the world, else 0.
     pub aligned: u8,
-    /// 1 if light passes through, else 0.
-    pub transparent: u8,
+    /// How rays and light pass: a sum of [`TRANSPARENT`], [`SHADOWLESS`] and [`FILTERS`], 0 if not at all.
+    pub passes: u8,
     /// 1 if it is intersected in double precision, by a [`Body64`]; the numbers here are its rough ones.
     pub double: u8,
+}
+
+/// Rays pass through the body.
+pub(crate) const TRANSPARENT: u8 = 1;
+/// Light on its way to other bodies passes as if this one were not there.
+pub(crate) const SHADOWLESS: u8 = 2;
+/// What the surfaces and the inside of the body let through of such light passes.
+pub(crate) const FILTERS: u8 = 4;
+
+/// How rays and light pass a body, as [`RenderBody::passes`] has it.
+pub(crate) fn passage(is_transparent: bool, shadow: Shadow) -> u8 {
+    let of_rays = if is_transparent { TRANSPARENT } else { 0 };
+    let of_light = match shadow {
+        Shadow::Filtered if is_transparent => FILTERS,
+        Shadow::None => SHADOWLESS,
+        Shadow::Filtered | Shadow::Full => 0,
+    };
+    of_rays | of_light
 }
 
 /// A body made ready for a scene: opaque, without a pattern, of the first material.
@@ -72,7 +90,7 @@ impl RenderBody {
         solid: NO_BODY,
         kind: ShapeKind::Sphere as u8,
         aligned: 1,
-        transparent: 0,
+        passes: 0,
         double: 0,
     };
 
@@ -138,7 +156,7 @@ impl RenderBody {
             solid: NO_BODY,
             kind: kind as u8,
             aligned: u8::from([body_from_world, world_from_body_rows].iter().all(is_diagonal)),
-            transparent: 0,
+            passes: 0,
             double: u8::from(is_double),
         };
         let bounds = Bounds::of_canonical(&world_from_body, kind, f64::from(cone_ratio as f32));
@@ -236,10 +254,28 @@ impl RenderBody {
         self.is_double() && self.solid != NO_BODY
     }
 
-    /// Whether light passes through the body.
+    /// Whether rays pass through the body.
     #[inline(always)]
     pub(crate) fn is_transparent(&self) -> bool {
-        self.transparent != 0
+        self.passes & TRANSPARENT != 0
+    }
+
+    /// Whether light on its way to other bodies passes as if this one were not there.
+    #[inline(always)]
+    pub(crate) fn is_shadowless(&self) -> bool {
+        self.passes & SHADOWLESS != 0
+    }
+
+    /// Whether the body may take light on its way to others along the way within it.
+    #[inline(always)]
+    pub(crate) fn takes_light_within(&self) -> bool {
+        self.passes & FILTERS != 0
+    }
+
+    /// Whether light on its way to other bodies ends at this one.
+    #[inline(always)]
+    pub(crate) fn stops_light(&self) -> bool {
+        self.passes & (SHADOWLESS | FILTERS) == 0
     }
 
     /// Where a line of the world, of a direction of length 1, crosses the body.

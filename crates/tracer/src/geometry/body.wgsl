@@ -9,7 +9,7 @@ struct Body {
     material: u32,
     solid: u32,
     // The kind of shape in the lowest byte, whether light passes through in the upper half.
-    kind_and_transparent: u32,
+    kind_and_passage: u32,
 }
 
 struct SurfacePoint {
@@ -19,11 +19,22 @@ struct SurfacePoint {
 }
 
 fn body_kind(index: u32) -> u32 {
-    return bodies[index].kind_and_transparent & 0xffu;
+    return bodies[index].kind_and_passage & 0xffu;
 }
 
 fn body_is_transparent(index: u32) -> bool {
-    return HAS_TRANSPARENCY && bodies[index].kind_and_transparent >= 0x10000u;
+    return HAS_TRANSPARENCY && (bodies[index].kind_and_passage & (TRANSPARENT << 16u)) != 0u;
+}
+
+// Whether light on its way to other bodies ends at this one.
+fn body_stops_light(index: u32) -> bool {
+    let passage = bodies[index].kind_and_passage & ((SHADOWLESS | FILTERS) << 16u);
+    return !(HAS_TRANSPARENCY || HAS_SHADOWLESS) || passage == 0u;
+}
+
+// Whether it passes as if this one were not there.
+fn body_is_shadowless(index: u32) -> bool {
+    return HAS_SHADOWLESS && (bodies[index].kind_and_passage & (SHADOWLESS << 16u)) != 0u;
 }
 
 fn body_origin(index: u32) -> vec3<f32> {

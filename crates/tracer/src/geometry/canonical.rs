@@ -40,7 +40,7 @@ impl CanonicalBody {
             | Shape::Union
             | Shape::Intersection
             | Shape::Difference
-            | Shape::Surface
+            | Shape::Surface { .. }
             | Shape::Group => (ShapeKind::Plane, 0.0, DVec3::ONE),
         };
         let body_from_canonical = match shape {

@@ -2,11 +2,12 @@
 //!
 //! Every part stays convex, so that a line lies in it along one [`ShapeSpan`](crate::shape::ShapeSpan), and the whole is
 //! a boolean function of the bits that tell which parts a point of the line lies in (Roth 1982, Ray Casting for Modeling
-//! Solids). Of a surface the first part is met, wherever the function holds; it has no inside. A ray remembers the part that it starts from and the side of that part's surface, as for any other body.
+//! Solids). Of a surface the first part is met, wherever the function holds, from the sides that are seen; it has no
+//! inside. A ray remembers the part that it starts from and the side of that part's surface, as for any other body.
 
 use std::ops::Range;
 
-use catoptric_scene::{Form, Shape};
+use catoptric_scene::{Form, Shape, VisibleSide};
 use smallvec::SmallVec;
 
 use crate::geometry::body::RenderBody;
@@ -26,8 +27,8 @@ pub(crate) struct JoinTree {
     pub(crate) parts: u32,
     /// A bit for each part: whether the whole lies outside of it, as it does of what is cut away.
     inverted: u64,
-    /// Whether it is the surface of the first part as far as it lies in all others.
-    is_surface: bool,
+    /// Of the surface of the first part, as far as it lies in all others, the sides that rays meet.
+    side: Option<VisibleSide>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,7 +60,11 @@ impl JoinTree {
     /// Of a union, an intersection, a difference or a surface; the parts are in the order of [`Form::each_simple`], at most
     /// [`Shape::MAX_PARTS`].
     pub(crate) fn of(form: &Form<'_>) -> Self {
-        let mut tree = Self { is_surface: form.shape == Shape::Surface, ..Self::default() };
+        let side = match form.shape {
+            Shape::Surface { side } => Some(side),
+            _ => None,
+        };
+        let mut tree = Self { side, ..Self::default() };
         tree.add(form, false, None);
         tree
     }
@@ -68,7 +73,7 @@ impl JoinTree {
     fn add(&mut self, form: &Form<'_>, is_inverted: bool, gate: Option<JoinGate>) -> u64 {
         let step = match form.shape {
             Shape::Union | Shape::Group => JoinStep::Union,
-            Shape::Intersection | Shape::Surface => JoinStep::Intersection,
+            Shape::Intersection | Shape::Surface { .. } => JoinStep::Intersection,
             Shape::Difference => JoinStep::Difference,
             _ => {
                 let bit = 1_u64.checked_shl(self.parts).unwrap_or_default();
@@ -114,7 +119,12 @@ impl JoinTree {
 
     /// Whether it is a surface without inside.
     pub(crate) fn is_surface(&self) -> bool {
-        self.is_surface
+        self.side.is_some()
+    }
+
+    /// The sides of a surface that rays meet.
+    pub(crate) fn visible_side(&self) -> VisibleSide {
+        self.side.unwrap_or_default()
     }
 
     /// Whether a surface is there at a point of that of its first part; `around` has a bit for each part that the point

@@ -1,6 +1,6 @@
 // Twin of joined.rs: bodies joined of others. The record of one stands behind the order of the bodies: the first of its
 // parts and their number; those that it lies outside of; its place in the order of volumes and the number of its gates,
-// with SURFACE if it is a surface without inside.
+// with SURFACE if it is a surface without inside, of which rays may pass a side.
 
 // The bodies without end are a leaf of each walk, so that what tests a joined body stands in fewer places: shaders are
 // compiled with all calls unfolded.
@@ -52,7 +52,8 @@ fn gates_hold(record: u32, right: vec2<u32>) -> bool {
     // A bit for each depth: whether a gate there is open, or shut.
     var open = 0u;
     var shut = 0u;
-    let end = record + 3u + 2u * (scene_order[record + 2u].y & ~SURFACE);
+    let gates = scene_order[record + 2u].y & ~(SURFACE | HIDES_OUTER | HIDES_INNER);
+    let end = record + 3u + 2u * gates;
     for (var gate = record + 3u; gate < end; gate += 2u) {
         let parts = scene_order[gate];
         let depth = scene_order[gate + 1u].x;

@@ -261,6 +261,9 @@ fn crossing_cosine(index: u32, ray: Ray, leaving: bool) -> f32 {
 
 // What the surface of one body lets through on the way to a light at `distance`.
 fn filter_through(index: u32, ray: Ray, media: ptr<function, Media>, distance: f32) -> vec3<f32> {
+    if body_is_shadowless(index) {
+        return vec3(1.0);
+    }
     if is_joined(index) {
         return filter_through_joined(index, ray, media, distance);
     }
@@ -273,7 +276,7 @@ fn filter_through(index: u32, ray: Ray, media: ptr<function, Media>, distance: f
     if !in_front && !behind {
         return vec3(1.0);
     }
-    if !body_is_transparent(index) {
+    if body_stops_light(index) {
         return vec3(0.0);
     }
     let once = filter_of(index);

@@ -7,11 +7,20 @@ use crate::shaders::constants::ShaderConstants;
 
 /// Beside the number of gates: the body is a surface.
 const SURFACE: u32 = 1 << 31;
+/// And rays pass it that come from its outer side, or from its inner one.
+const HIDES_OUTER: u32 = 1 << 30;
+const HIDES_INNER: u32 = 1 << 29;
 
 /// The constants of shaders for scenes with joined bodies of so many parts at most.
 pub(crate) fn constants(parts: u32) -> ShaderConstants {
     // Whatever comes after it is joined too.
-    let words = vec![("PARTS", parts), ("JOINED", ShapeKind::Joined as u32), ("SURFACE", SURFACE)];
+    let words = vec![
+        ("PARTS", parts),
+        ("JOINED", ShapeKind::Joined as u32),
+        ("SURFACE", SURFACE),
+        ("HIDES_OUTER", HIDES_OUTER),
+        ("HIDES_INNER", HIDES_INNER),
+    ];
     ShaderConstants { words, numbers: Vec::new(), flags: Vec::new() }
 }
 
@@ -44,7 +53,11 @@ pub(crate) fn add_to(order: &mut Vec<[u32; 2]>, geometry: &Geometry) {
 
 fn add_record(order: &mut Vec<[u32; 2]>, JoinedBody { first, tree }: &JoinedBody, rank: u32) {
     let gates = tree.gates();
-    let gate_word = gates.len() as u32 | if tree.is_surface() { SURFACE } else { 0 };
+    let side = tree.visible_side();
+    let marks =
+        [(tree.is_surface(), SURFACE), (!side.is_met(true), HIDES_OUTER), (!side.is_met(false), HIDES_INNER)];
+    let marked = |word: u32, (is_marked, mark): (bool, u32)| word | if is_marked { mark } else { 0 };
+    let gate_word = marks.into_iter().fold(gates.len() as u32, marked);
     order.extend([[*first, tree.parts], halves(tree.inverted()), [rank, gate_word]]);
     order.extend(
         gates

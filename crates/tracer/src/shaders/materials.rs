@@ -36,6 +36,7 @@ pub(crate) fn constants(special: &ShaderSpecialization) -> ShaderConstants {
             ("LAW_CONDUCTOR", CONDUCTOR),
             ("LAW_COAT", COAT),
             ("LAW_THIN_DIELECTRIC", THIN_DIELECTRIC),
+            ("LAW_SCHLICK", SCHLICK),
         ],
         numbers: vec![("INDEX_START", *observer::VISIBLE.start() as f32), ("INDEX_RATE", INDEX_RATE as f32)],
         flags: vec![
@@ -58,6 +59,7 @@ const DIELECTRIC: u32 = 2;
 const CONDUCTOR: u32 = 3;
 const COAT: u32 = 4;
 const THIN_DIELECTRIC: u32 = 5;
+const SCHLICK: u32 = 6;
 
 /// Indices of refraction to a nanometer. Between them straight lines are off by less than 10⁻⁶ for glass.
 const INDEX_RATE: f64 = 2.0;
@@ -139,6 +141,7 @@ fn rows_of(material: &RenderMaterial, tables: &mut MaterialRowTables) -> [Materi
     } = *material;
     let (law, curve, coat) = match law {
         MaterialModel::Constant => (CONSTANT, NO_ROWS, [0.0; 4]),
+        MaterialModel::Schlick => (SCHLICK, NO_ROWS, [0.0; 4]),
         MaterialModel::Mirror => (MIRROR, NO_ROWS, [0.0; 4]),
         MaterialModel::Dielectric => (DIELECTRIC, NO_ROWS, [0.0; 4]),
         MaterialModel::Conductor(curve) => (CONDUCTOR, tables.curve(curve), [0.0; 4]),

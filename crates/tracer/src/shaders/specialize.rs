@@ -20,6 +20,8 @@ pub struct SceneContents {
     shapes: u32,
     /// How many are transparent, or more.
     transparent: usize,
+    /// Whether light passes any as if it were not there.
+    shadowless: bool,
     /// The longest way through the hierarchy of boxes, nodes; 0 without one.
     depth: u32,
     /// The most parts of a joined body.
@@ -35,6 +37,8 @@ pub struct ShaderSpecialization {
     pub depth: u32,
     /// How many transparent bodies a ray may be inside of at once; 0 if there are none.
     pub media: u32,
+    /// Whether light passes some bodies as if they were not there.
+    pub shadowless: bool,
     /// How many rays of one tree may wait.
     pub stack: u32,
     /// Whether bodies have patterns.
@@ -122,6 +126,7 @@ impl SceneContents {
         for body in bodies {
             self.shapes |= shape_bit(body);
             self.transparent += usize::from(body.is_transparent());
+            self.shadowless |= body.is_shadowless();
         }
     }
 }
@@ -150,7 +155,7 @@ impl ShaderSpecialization {
         if around_eye > MOST_MEDIA {
             return Err(UnsupportedOnGpu::EyeMedia(around_eye));
         }
-        let SceneContents { shapes, transparent, depth, parts } = *contents;
+        let SceneContents { shapes, transparent, shadowless, depth, parts } = *contents;
         let is_clear = transparent > 0;
         // One ray may wait for each generation, in the last one only one that goes straight on, and one more among waves; in
         // steps, so that fewer shaders are needed.
@@ -161,6 +166,7 @@ impl ShaderSpecialization {
             depth,
             media: if is_clear { media } else { 0 },
             stack: if is_clear { waiting.next_multiple_of(4) } else { 0 },
+            shadowless,
             solids: !scene.solids.is_empty(),
             any_solids: !scene.solids.iter().all(SolidNode::is_checker_alone),
             asks_each_start: is_clear && camera.parallel_height().is_some(),

@@ -67,6 +67,19 @@ pub(crate) fn fresnel_polarized<R: Float32>(cos: R, ratio: R) -> ([R; 2], R::Mas
     ([across * across, along * along], cos_out_squared.lt(zero) | cos.le(zero))
 }
 
+/// C. Schlick's estimate of it (1994, An Inexpensive BRDF Model for Physically-based Rendering, eq. 15), with the cosine on
+/// the side of the smaller index; 1 at total reflection. As for [`fresnel`], but at equal indices.
+#[inline(always)]
+pub(crate) fn schlick<R: Float32>(cos: R, ratio: R) -> R {
+    let (zero, one) = (cos.like(0.0), cos.like(1.0));
+    let cos_out_squared = (one - ratio) * (one + ratio) + ratio * ratio * cos * cos;
+    let cos = R::select(ratio.gt(one), cos_out_squared.max(zero).sqrt(), cos);
+    let root = (ratio - one) / (ratio + one);
+    let (straight, rest) = (root * root, (one - cos).max(zero));
+    let square = rest * rest;
+    straight + (one - straight) * (square * square * rest)
+}
+
 /// The share (Ŝ·R̂)⁺ⁿ of Phong's highlight (Phong 1975), with R̂ the direction to the light mirrored about the normal
 /// and Ŝ the direction to the viewer. All are unit vectors.
 #[inline(always)]
@@ -179,11 +192,13 @@ mod tests {
 
     #[test]
     fn reflectances_are_those_of_double_precision() {
-        use catoptric_optics::fresnel::dielectric;
+        use catoptric_optics::fresnel::{dielectric, schlick as schlick_in_double};
         for eta in [0.4_f32, 1.0 / 1.5, 0.999, 1.0, 1.001, 1.333, 1.5, 2.417, 10.0] {
             for step in 0..=2000_u16 {
                 let cos = f32::from(step) / 2000.0;
                 let exact = dielectric(f64::from(cos), 1.0 / f64::from(1.0 / eta)).mean();
+                let estimate = schlick_in_double(f64::from(cos), 1.0 / f64::from(1.0 / eta));
+                assert!((f64::from(schlick(cos, 1.0 / eta)) - estimate).abs() < 1e-5, "{eta} {cos}");
                 let error = (f64::from(fresnel(cos, 1.0 / eta)) - exact).abs();
                 // Where total reflection begins, the curve is as steep as numbers are far apart.
                 let critical = (1.0 - f64::from(eta).min(1.0).powi(2)).sqrt();

@@ -47,6 +47,16 @@ fn fresnel_polarized(cos: f32, ratio: f32) -> vec2<f32> {
     return vec2(across * across, along * along);
 }
 
+// Schlick's estimate of it, with the cosine on the side of the smaller index; 1 at total reflection.
+fn schlick(cos: f32, ratio: f32) -> f32 {
+    let cos_out_squared = (1.0 - ratio) * (1.0 + ratio) + ratio * ratio * cos * cos;
+    let rest = max(1.0 - select(cos, sqrt(max(cos_out_squared, 0.0)), ratio > 1.0), 0.0);
+    let root = (ratio - 1.0) / (ratio + 1.0);
+    let straight = root * root;
+    let square = rest * rest;
+    return straight + (1.0 - straight) * (square * square * rest);
+}
+
 // e⁻³⁰ of the brightest light that a scene may have is nothing in single precision.
 const INVISIBLE: f32 = 30.0;
 // The bits of √½.

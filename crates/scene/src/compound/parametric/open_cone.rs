@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::{Expansion, Parametric, part, round_extent};
-use crate::shape::Shape;
+use crate::shape::{Shape, VisibleSide};
 
 /// The curved surface of a cone from the origin along +Y. It has no inside.
 ///
@@ -22,11 +22,13 @@ pub struct OpenCone {
     pub top_radius: f64,
     /// Default 1.
     pub height: f64,
+    /// The sides that rays meet. Default both.
+    pub side: VisibleSide,
 }
 
 impl Default for OpenCone {
     fn default() -> Self {
-        Self { radius: 0.5, top_radius: 0.0, height: 1.0 }
+        Self { radius: 0.5, top_radius: 0.0, height: 1.0, side: VisibleSide::Both }
     }
 }
 
@@ -40,12 +42,16 @@ impl Parametric for OpenCone {
         }
     }
 
+    fn side_mut(&mut self) -> Option<&mut VisibleSide> {
+        Some(&mut self.side)
+    }
+
     fn extent(&self) -> [DVec3; 2] {
         round_extent(self.radius.max(self.top_radius), 0.0, self.height)
     }
 
     fn expansion(&self) -> Expansion {
-        let Self { radius, top_radius, height } = *self;
-        Expansion::surface(part(Shape::Cone { radius, top_radius, height }, 0.0), [])
+        let Self { radius, top_radius, height, side } = *self;
+        Expansion::surface(side, part(Shape::Cone { radius, top_radius, height }, 0.0), [])
     }
 }

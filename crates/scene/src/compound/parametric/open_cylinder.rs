@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::{Expansion, Parametric, cylinder, round_extent};
+use crate::shape::VisibleSide;
 
 /// The curved surface of a cylinder from the origin along +Y. It has no inside.
 ///
@@ -18,11 +19,13 @@ pub struct OpenCylinder {
     pub radius: f64,
     /// Default 1.
     pub height: f64,
+    /// The sides that rays meet. Default both.
+    pub side: VisibleSide,
 }
 
 impl Default for OpenCylinder {
     fn default() -> Self {
-        Self { radius: 0.5, height: 1.0 }
+        Self { radius: 0.5, height: 1.0, side: VisibleSide::Both }
     }
 }
 
@@ -35,11 +38,15 @@ impl Parametric for OpenCylinder {
         }
     }
 
+    fn side_mut(&mut self) -> Option<&mut VisibleSide> {
+        Some(&mut self.side)
+    }
+
     fn extent(&self) -> [DVec3; 2] {
         round_extent(self.radius, 0.0, self.height)
     }
 
     fn expansion(&self) -> Expansion {
-        Expansion::surface(cylinder(self.radius, 0.0, self.height), [])
+        Expansion::surface(self.side, cylinder(self.radius, 0.0, self.height), [])
     }
 }

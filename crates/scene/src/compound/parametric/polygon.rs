@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::{Expansion, MARGIN, cuboid, half_space};
-use crate::shape::Shape;
+use crate::shape::{Shape, VisibleSide};
 
 /// Corners may lie beside their plane by this share of the longest side, as those of files with six digits do; and those of
 /// a triangle are on a line if it is not higher.
@@ -28,7 +28,7 @@ fn sides(corners: &[DVec3]) -> impl Iterator<Item = [DVec3; 2]> {
 
 /// The piece of a plane within the sides of a polygon that is known to be flat and convex. The box only tells searches where
 /// it is.
-pub(super) fn expansion(corners: &[DVec3]) -> Expansion {
+pub(super) fn expansion(side: VisibleSide, corners: &[DVec3]) -> Expansion {
     let normal = normal(corners);
     let middle = corners.iter().sum::<DVec3>() / corners.len().max(1) as f64;
     let around = DVec3::splat(MARGIN * longest_side(corners));
@@ -36,11 +36,12 @@ pub(super) fn expansion(corners: &[DVec3]) -> Expansion {
     let greatest = corners.iter().copied().fold(DVec3::NEG_INFINITY, DVec3::max) + around;
     let lines = sides(corners).filter(|[from, to]| from != to);
     let cutters = lines.map(|[from, to]| half_space(0.5 * (from + to), (to - from).cross(normal)));
-    Expansion::surface(half_space(middle, normal), cutters.chain([cuboid([least, greatest])]))
+    Expansion::surface(side, half_space(middle, normal), cutters.chain([cuboid([least, greatest])]))
 }
 
 impl Expansion {
-    /// A flat polygon with its corners in their order, meters; `None` for one with fewer than three corners, more than a
+    /// A flat polygon with its corners in their order, meters. Its outer side is the one from which they go around against
+    /// the clock. `None` for one with fewer than three corners, more than a
     /// body can have parts for, no area, a notch, or corners beside its plane.
     pub fn convex_polygon(corners: &[DVec3]) -> Option<Self> {
         let most = Shape::MAX_PARTS - 2;
@@ -58,6 +59,6 @@ impl Expansion {
             let left = normal.cross(to - from).normalize_or_zero();
             corners.iter().all(|corner| (corner - from).dot(left) >= -FLAT * size)
         });
-        (is_flat && is_convex).then(|| expansion(corners))
+        (is_flat && is_convex).then(|| expansion(VisibleSide::Both, corners))
     }
 }

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::{Expansion, MARGIN, Parametric, cuboid, part};
-use crate::shape::Shape;
+use crate::shape::{Shape, VisibleSide};
 
 /// A flat rectangle about the origin with the normal +Y. It has no thickness, and no inside.
 ///
@@ -19,11 +19,13 @@ pub struct Rectangle {
     pub width: f64,
     /// Along Z. Default 1.
     pub length: f64,
+    /// The sides that rays meet. Default both.
+    pub side: VisibleSide,
 }
 
 impl Default for Rectangle {
     fn default() -> Self {
-        Self { width: 1.0, length: 1.0 }
+        Self { width: 1.0, length: 1.0, side: VisibleSide::Both }
     }
 }
 
@@ -36,6 +38,10 @@ impl Parametric for Rectangle {
         }
     }
 
+    fn side_mut(&mut self) -> Option<&mut VisibleSide> {
+        Some(&mut self.side)
+    }
+
     fn extent(&self) -> [DVec3; 2] {
         let half = 0.5 * DVec3::new(self.width, 0.0, self.length);
         [-half, half]
@@ -44,6 +50,6 @@ impl Parametric for Rectangle {
     fn expansion(&self) -> Expansion {
         let [min, max] = self.extent();
         let across = DVec3::Y * (MARGIN * self.width.max(self.length));
-        Expansion::surface(part(Shape::Plane, 0.0), [cuboid([min - across, max + across])])
+        Expansion::surface(self.side, part(Shape::Plane, 0.0), [cuboid([min - across, max + across])])
     }
 }

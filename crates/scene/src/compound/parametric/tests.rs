@@ -13,7 +13,7 @@ fn holds(form: &Form<'_>, point: DVec3) -> bool {
     let mut parts = form.parts.iter().map(|part| holds(&part.form(), at));
     match form.shape {
         Shape::Union | Shape::Group => parts.any(|held| held),
-        Shape::Intersection | Shape::Surface => parts.all(|held| held),
+        Shape::Intersection | Shape::Surface { .. } => parts.all(|held| held),
         Shape::Difference => parts.next().unwrap() && !parts.any(|held| held),
         Shape::Plane => at.y < 0.0,
         Shape::Sphere { radius } => at.length() < radius,
@@ -104,7 +104,7 @@ fn prisms_and_wedges_end_at_their_corners() {
 fn assert_is_flat(shape: ParametricShape, normal: DVec3, formula: impl Fn(DVec3) -> bool) {
     assert_eq!(shape.broken_size(), None, "{shape:?}");
     let body = Body::of_shape(BodyShape::Parametric(shape));
-    assert_eq!(body.shape, Shape::Surface);
+    assert_eq!(body.shape, Shape::SURFACE);
     let [first, cutters @ ..] = body.parts.as_slice() else { panic!("{shape:?}") };
     let up = first.placement.world_from_body().matrix3 * DVec3::Y;
     assert!(first.shape == Shape::Plane && up.distance(normal) < 1e-12, "{shape:?}: {up}");
@@ -128,28 +128,38 @@ fn assert_is_flat(shape: ParametricShape, normal: DVec3, formula: impl Fn(DVec3)
 #[test]
 fn flat_shapes_end_at_their_edges() {
     for radius in [0.5, 3.0, 1e-3] {
-        let disc = ParametricShape::Disc(Disc { radius });
+        let disc = ParametricShape::Disc(Disc { radius, side: VisibleSide::Both });
         assert_is_flat(disc, DVec3::Y, |point| point.length() < radius);
     }
     for (width, length) in [(1.0, 1.0), (0.01, 4.0), (300.0, 7.0)] {
-        let rectangle = ParametricShape::Rectangle(Rectangle { width, length });
+        let rectangle = ParametricShape::Rectangle(Rectangle { width, length, side: VisibleSide::Both });
         assert_is_flat(rectangle, DVec3::Y, |point| {
             2.0 * point.x.abs() < width && 2.0 * point.z.abs() < length
         });
     }
     for triangle in [
         Triangle::default(),
-        Triangle { a: dvec3(1.0, 2.0, 3.0), b: dvec3(-1.0, 0.5, 2.0), c: dvec3(0.3, -4.0, 0.1) },
-        Triangle { a: dvec3(0.0, 0.0, 0.0), b: dvec3(0.0, 1e-3, 0.0), c: dvec3(1.0, 0.0, 0.0) },
+        Triangle {
+            a: dvec3(1.0, 2.0, 3.0),
+            b: dvec3(-1.0, 0.5, 2.0),
+            c: dvec3(0.3, -4.0, 0.1),
+            ..Triangle::default()
+        },
+        Triangle {
+            a: dvec3(0.0, 0.0, 0.0),
+            b: dvec3(0.0, 1e-3, 0.0),
+            c: dvec3(1.0, 0.0, 0.0),
+            ..Triangle::default()
+        },
     ] {
-        let Triangle { a, b, c } = triangle;
+        let Triangle { a, b, c, .. } = triangle;
         let normal = (b - a).cross(c - a);
         assert_is_flat(ParametricShape::Triangle(triangle), normal.normalize(), |point| {
             let is_left = |from: DVec3, to: DVec3| (to - from).cross(point - from).dot(normal) > 0.0;
             is_left(a, b) && is_left(b, c) && is_left(c, a)
         });
     }
-    let line = Triangle { a: DVec3::ZERO, b: DVec3::ONE, c: 3.0 * DVec3::ONE };
+    let line = Triangle { a: DVec3::ZERO, b: DVec3::ONE, c: 3.0 * DVec3::ONE, ..Triangle::default() };
     assert_eq!(ParametricShape::Triangle(line).broken_size(), Some(SizeFault::FlatTriangle.at("c")));
 }
 
@@ -164,7 +174,7 @@ fn polygons_are_flat_and_convex() {
     let backwards: Vec<DVec3> = square.iter().rev().copied().collect();
     for corners in [&square, &backwards] {
         let Expansion { shape, parts } = Expansion::convex_polygon(corners).unwrap();
-        assert_eq!((shape, parts.len()), (Shape::Surface, 6));
+        assert_eq!((shape, parts.len()), (Shape::SURFACE, 6));
     }
     let with_middle = at(&[[0.0, 0.0], [0.5, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);
     assert!(Expansion::convex_polygon(&with_middle).is_some(), "a corner on a side");
@@ -187,14 +197,17 @@ fn polygons_are_flat_and_convex() {
 fn open_shapes_are_their_sides() {
     let (radius, top_radius, height) = (0.4, 0.1, 2.0);
     for (open, side) in [
-        (ParametricShape::OpenCylinder(OpenCylinder { radius, height }), Shape::Cylinder { radius, height }),
         (
-            ParametricShape::OpenCone(OpenCone { radius, top_radius, height }),
+            ParametricShape::OpenCylinder(OpenCylinder { radius, height, side: VisibleSide::Both }),
+            Shape::Cylinder { radius, height },
+        ),
+        (
+            ParametricShape::OpenCone(OpenCone { radius, top_radius, height, side: VisibleSide::Both }),
             Shape::Cone { radius, top_radius, height },
         ),
     ] {
         let Expansion { shape, parts } = open.expansion();
-        assert_eq!((shape, parts.len(), parts[0].shape), (Shape::Surface, 1, side));
+        assert_eq!((shape, parts.len(), parts[0].shape), (Shape::SURFACE, 1, side));
         assert_eq!(Some(open.extent()), side.extent());
     }
 }

@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::polygon::{self, FLAT};
 use super::{BrokenSize, Expansion, Parametric, SizeFault};
+use crate::shape::VisibleSide;
 
 /// A flat triangle. Its normal is on the side from which the corners go around against the clock. It has no thickness, and
 /// no inside.
@@ -23,11 +24,14 @@ pub struct Triangle {
     pub b: DVec3,
     /// The third one. Default (0, 0, −0.5).
     pub c: DVec3,
+    /// The sides that rays meet. Default both.
+    pub side: VisibleSide,
 }
 
 impl Default for Triangle {
     fn default() -> Self {
-        Self { a: DVec3::new(-0.5, 0.0, 0.5), b: DVec3::new(0.5, 0.0, 0.5), c: DVec3::new(0.0, 0.0, -0.5) }
+        let (a, b, c) = (DVec3::new(-0.5, 0.0, 0.5), DVec3::new(0.5, 0.0, 0.5), DVec3::new(0.0, 0.0, -0.5));
+        Self { a, b, c, side: VisibleSide::Both }
     }
 }
 
@@ -47,6 +51,10 @@ impl Parametric for Triangle {
         }
     }
 
+    fn side_mut(&mut self) -> Option<&mut VisibleSide> {
+        Some(&mut self.side)
+    }
+
     fn broken_size(&self) -> Option<BrokenSize> {
         let corners = self.corners();
         let is_flat = polygon::normal(&corners).length() <= FLAT * polygon::longest_side(&corners).powi(2);
@@ -59,6 +67,6 @@ impl Parametric for Triangle {
     }
 
     fn expansion(&self) -> Expansion {
-        polygon::expansion(&self.corners())
+        polygon::expansion(self.side, &self.corners())
     }
 }

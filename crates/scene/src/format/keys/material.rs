@@ -3,7 +3,7 @@
 use super::common::{LAYER, ROTATION, SCALE, amount, color, flag};
 use crate::format::spec::{Default, KeySpec, Kind, Limits, TableSpec};
 use crate::material::{
-    Attenuation, DEFAULT_METAL, Dielectric, METAL_NAMES, Model, Pattern, Phong, RefractiveIndex,
+    Attenuation, DEFAULT_METAL, Dielectric, FresnelTerm, METAL_NAMES, Model, Pattern, Phong, RefractiveIndex,
     SUBSTANCE_NAMES, SolidTexture,
 };
 
@@ -48,6 +48,14 @@ pub static MATERIAL: TableSpec = TableSpec {
         KeySpec::new("tint", Kind::Color(Limits::AMOUNT), "the tint of transmitted light")
             .or(color(Phong::DEFAULT.tint))
             .only("model", &["phong", "thin-dielectric"]),
+        KeySpec::new(
+            "fresnel",
+            Kind::Choice(FresnelTerm::KEYS),
+            "how reflection and transmission of a clear body depend on the angle: not at all (`constant`), or by Schlick's \
+             formula (`schlick`)",
+        )
+        .or(Default::Text(FresnelTerm::Constant.key()))
+        .only("model", PHONG),
         KeySpec::new("substance", Kind::Choice(&SUBSTANCE_NAMES), "what a clear body is made of")
             .only("model", DIELECTRIC)
             .excluding(&["ior", "abbe"]),

@@ -187,7 +187,9 @@ impl AuditLineWriter<'_> {
         );
         let ambient = AuditLine::new(AuditTerm::Ambient, texts.get("audit-ambient")).value(answer.ambient);
         match answer.law {
-            ReflectionModel::Constant => terms.push(ambient.formula("k_a C I_a", numbers)),
+            ReflectionModel::Constant | ReflectionModel::Schlick => {
+                terms.push(ambient.formula("k_a C I_a", numbers));
+            }
             ReflectionModel::Coat => terms.push(ambient.words(texts.get("audit-through-coat").to_owned())),
             ReflectionModel::Mirror
             | ReflectionModel::Dielectric
@@ -200,6 +202,7 @@ impl AuditLineWriter<'_> {
         terms.push(self.local(node, answer));
         let [reflected, refracted] = match answer.law {
             ReflectionModel::Constant => ["k_r", "k_t τ"],
+            ReflectionModel::Schlick => ["k_r R(θ)", "k_t τ (1 − R(θ))"],
             ReflectionModel::Mirror => ["C k_r", ""],
             ReflectionModel::Dielectric | ReflectionModel::Conductor | ReflectionModel::Coat => {
                 ["R(θ)", "1 − R(θ)"]

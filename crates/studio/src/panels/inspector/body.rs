@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use catoptric_scene::format::keys;
-use catoptric_scene::{Body, DishProfile, ScenePart, ShapeKind};
+use catoptric_scene::{Body, DishProfile, ScenePart, Shadow, ShapeKind, VisibleSide};
 use egui::{Id, Ui};
 
 use super::sheet::{NumberRow, PropertySheet, RowQuantity, SliderRail, Unit, VectorRow, VectorSpread};
@@ -193,39 +193,63 @@ pub(super) fn shape_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Body>) {
         {
             sheet.number(ui, row, chosen);
         }
-        profile_ui(ui, sheet);
+        word_ui(
+            ui,
+            sheet,
+            "profile",
+            ["profile", "edit-profile"],
+            &[
+                (DishProfile::Parabolic.key(), "profile-parabolic"),
+                (DishProfile::Spherical.key(), "profile-spherical"),
+            ],
+        );
         for row in [&FRONT_RADIUS, &BACK_RADIUS, &FOCAL_LENGTH, &LENS_IOR, &CURVATURE_RADIUS] {
             sheet.number(ui, row, chosen);
         }
+        word_ui(
+            ui,
+            sheet,
+            "visible_side",
+            ["visible-side", "edit-visible-side"],
+            &[
+                (VisibleSide::Both.key(), "visible-side-both"),
+                (VisibleSide::Outer.key(), "visible-side-outer"),
+                (VisibleSide::Inner.key(), "visible-side-inner"),
+            ],
+        );
+        shadow_ui(ui, sheet);
         if kind.is_compound() && is_own && sheet.things.len() == 1 {
             parts::parts_ui(ui, texts, &sheet.primary.parts);
         }
     });
 }
 
-/// The choice of the curve of a mirror dish.
-fn profile_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Body>) {
-    let Some(chosen) = sheet.primary.body_shape().word("profile") else { return };
-    let texts = sheet.texts();
-    let choices = [DishProfile::Parabolic, DishProfile::Spherical].map(|profile| {
-        let key = match profile {
-            DishProfile::Parabolic => "profile-parabolic",
-            DishProfile::Spherical => "profile-spherical",
-        };
-        ChoiceItem {
-            value: profile,
-            text: texts.get(key),
-            tip: texts.tip(key).unwrap_or_default(),
-            is_enabled: true,
-        }
-    });
-    let id = sheet.id.with("profile");
-    let width = ui.available_width();
-    let chosen = DishProfile::of_key(chosen);
-    if let Some(profile) = choice_ui(ui, id, texts.get("profile"), width, &choices, chosen) {
-        sheet.change("profile", "edit-profile", |_, body| {
-            body.change_shape(|shape| shape.set_word("profile", profile.key()));
-        });
+/// What the bodies leave of light on its way to others; parts do as the whole.
+fn shadow_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Body>) {
+    if sheet.part.is_none() {
+        return;
     }
-    sheet.note(ui, "profile");
+    let choices =
+        [(Shadow::Filtered, "shadow-filtered"), (Shadow::None, "shadow-none"), (Shadow::Full, "shadow-full")];
+    let own = sheet.primary.shadow;
+    let is_mixed = sheet.things.iter().any(|body| body.shadow != own);
+    if let Some(shadow) = sheet.choice(ui, "shadow", &choices, (!is_mixed).then_some(own)) {
+        sheet.change("shadow", "edit-shadow", |_, body| body.shadow = shadow);
+    }
+}
+
+/// The choice of a word of the shape, if it has it: `key`, with its label, the label of the change, and the words with
+/// their texts.
+fn word_ui(
+    ui: &mut Ui,
+    sheet: &mut PropertySheet<'_, '_, Body>,
+    key: &'static str,
+    [label, edit]: [&'static str; 2],
+    words: &[(&'static str, &'static str)],
+) {
+    let Some(chosen) = sheet.primary.body_shape().word(key) else { return };
+    let is_mixed = sheet.things.iter().any(|body| body.body_shape().word(key) != Some(chosen));
+    if let Some(word) = sheet.choice(ui, label, words, (!is_mixed).then_some(chosen)) {
+        sheet.change(label, edit, |_, body| body.change_shape(|shape| shape.set_word(key, word)));
+    }
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use catoptric_editor::{Action, Editor, Label, PartPath, RefusedChange};
 use catoptric_scene::format::keys;
-use catoptric_scene::{Image, Material, MaterialChoice, Mirror, Model, Phong, Scene, ScenePart};
+use catoptric_scene::{FresnelTerm, Image, Material, MaterialChoice, Mirror, Model, Phong, Scene, ScenePart};
 use egui::{Button, ComboBox, Id, TextStyle, Ui, vec2};
 use egui_material_icons::icons::ICON_GRID_VIEW;
 
@@ -385,6 +385,7 @@ fn rows_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>, homes: &[Ma
         sheet.number(ui, &TRANSMISSION, None);
         ior_ui(ui, sheet, phong);
         sheet.color(ui, &TINT);
+        fresnel_ui(ui, sheet, phong);
     } else {
         ground_ui(ui, sheet);
         physical::rows_ui(ui, sheet);
@@ -460,6 +461,21 @@ fn reflection_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>, phong
             edit_phong(material, |phong| {
                 phong.reflection = if follows { None } else { Some(phong.reflection()) };
             });
+        });
+    }
+}
+
+/// How k_r and k_t depend on the angle, of clear bodies.
+fn fresnel_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Material>, phong: &Phong) {
+    if phong.transmission <= 0.0 {
+        return;
+    }
+    let choices = [(FresnelTerm::Constant, "fresnel-constant"), (FresnelTerm::Schlick, "fresnel-schlick")];
+    let other = |material: &&Material| material.as_phong().is_none_or(|other| other.fresnel != phong.fresnel);
+    let chosen = (!sheet.things.iter().any(other)).then_some(phong.fresnel);
+    if let Some(term) = sheet.choice(ui, "fresnel", &choices, chosen) {
+        sheet.change("fresnel", "edit-fresnel", |_, material| {
+            edit_phong(material, |phong| phong.fresnel = term);
         });
     }
 }

@@ -7,6 +7,7 @@ use egui::{Id, Ui};
 use glam::DVec3;
 
 use crate::base::texts::Texts;
+use crate::base::widgets::choice::{ChoiceItem, choice_ui};
 pub(crate) use crate::base::widgets::number::Unit;
 use crate::base::widgets::number::{NumberField, NumberResponse, exact, limits_in_words, tidy};
 use crate::base::widgets::row::{GAP, RowLabel, control_width, reset_button, row};
@@ -180,6 +181,31 @@ impl<'a, T> PropertySheet<'_, 'a, T> {
     ) {
         let text = self.texts().get(key);
         self.labelled_row(ui, key, "", text, contents);
+    }
+
+    /// A row with a few choices side by side, each with the key of its text, of which `chosen` is lit. Returns another one
+    /// when it is clicked.
+    pub(crate) fn choice<V: Copy + PartialEq>(
+        &mut self,
+        ui: &mut Ui,
+        key: &'static str,
+        choices: &[(V, &'static str)],
+        chosen: Option<V>,
+    ) -> Option<V> {
+        let mut picked = None;
+        self.plain_row(ui, key, |sheet, ui| {
+            let texts = sheet.texts();
+            let item = |&(value, key)| ChoiceItem {
+                value,
+                text: texts.get(key),
+                tip: texts.tip(key).unwrap_or_default(),
+                is_enabled: true,
+            };
+            let items: Vec<ChoiceItem<'_, V>> = choices.iter().map(item).collect();
+            let (id, width) = (sheet.id.with(key), ui.available_width());
+            picked = choice_ui(ui, id, texts.get(key), width, &items, chosen);
+        });
+        picked
     }
 
     /// A row whose label is a formula, without limits and a default.

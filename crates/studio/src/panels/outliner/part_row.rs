@@ -28,8 +28,8 @@ pub(crate) fn role(whole: Shape, place: usize) -> Option<PartRole> {
         (Shape::Intersection, _) => ("∩", "part-common"),
         (Shape::Difference, 0) => ("+", "part-remains"),
         (Shape::Difference, _) => ("−", "part-taken-away"),
-        (Shape::Surface, 0) => ("∂", "part-surface"),
-        (Shape::Surface, _) => ("∩", "part-cuts"),
+        (Shape::Surface { .. }, 0) => ("∂", "part-surface"),
+        (Shape::Surface { .. }, _) => ("∩", "part-cuts"),
         _ => return None,
     };
     Some(PartRole { sign, key })

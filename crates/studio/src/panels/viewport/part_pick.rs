@@ -59,7 +59,7 @@ fn to_surface(shape: &Shape, point: DVec3) -> f64 {
             lid.min(gap.abs() / slope.hypot(1.0))
         }
         Shape::Plane => point.y.abs(),
-        Shape::Union | Shape::Intersection | Shape::Difference | Shape::Surface | Shape::Group => {
+        Shape::Union | Shape::Intersection | Shape::Difference | Shape::Surface { .. } | Shape::Group => {
             f64::INFINITY
         }
     }

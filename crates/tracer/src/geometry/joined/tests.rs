@@ -18,7 +18,7 @@ fn is_in(form: &Form<'_>, bits: &mut u64) -> bool {
     let mut each = form.parts.iter().map(|part| is_in(&part.form(), bits)).collect::<Vec<_>>().into_iter();
     match form.shape {
         Shape::Union | Shape::Group => each.any(|is_in| is_in),
-        Shape::Intersection | Shape::Surface => !form.parts.is_empty() && each.all(|is_in| is_in),
+        Shape::Intersection | Shape::Surface { .. } => !form.parts.is_empty() && each.all(|is_in| is_in),
         Shape::Difference => each.next().unwrap_or(false) && !each.any(|is_in| is_in),
         _ => {
             let bit = *bits & 1;

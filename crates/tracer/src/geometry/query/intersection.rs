@@ -111,6 +111,7 @@ impl<W: Width> RayQuery<'_, W> {
         let from_inside = own & self.start.has(INWARDS);
         let at_start = (self.origin_error_bound() + surface.error_bound) * GRAZING;
         let has_caps = surface.canonical().kind.has_caps();
+        let side = body.tree.visible_side();
         let shown = |t: W::R, face: W::R| {
             let shown = in_others & t.ge(low) & t.le(high);
             if has_caps { shown & face.eq(w.real(SIDE)) } else { shown }
@@ -119,8 +120,10 @@ impl<W: Width> RayQuery<'_, W> {
         // It is met once more from within, and never from outside.
         let own_exit = exit.max(w.real(0.0));
         let exit = W::R::select(from_inside, own_exit, exit);
-        let entered = span.hit & !own & shown(enter, span.enter_face);
-        let left = (span.hit & !own | from_inside) & shown(exit, span.exit_face);
+        let [outer, inner] =
+            [true, false].map(|from_outside| w.mask(u32::from(side.is_met(from_outside)) * u32::MAX));
+        let entered = outer & span.hit & !own & shown(enter, span.enter_face);
+        let left = inner & (span.hit & !own | from_inside) & shown(exit, span.exit_face);
         let is_near = |t: W::R| t.abs().le(at_start);
         let doubtful = entered & is_near(enter) | left & !own & is_near(exit);
         let crossing = |t, face| ConvexCrossing { t, part: w.word(first), face, second: t };

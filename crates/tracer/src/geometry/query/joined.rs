@@ -320,7 +320,7 @@ impl<'g> JoinedWalk<'g> {
     }
 
     /// Finds where the ray crosses the first part's surface as far as that lies in the others. At the start it is met by
-    /// what enters the part, as the surface of any other body.
+    /// what enters the part, as the surface of any other body, unless the ray comes from an opaque one: it is going back.
     fn meet_surface(&mut self, spans: &[ShapeSpan<f32>]) {
         let start = RayOrigin::of_word(self.ray.start);
         let is_own = start.body == self.body.first;
@@ -328,10 +328,13 @@ impl<'g> JoinedWalk<'g> {
         let enter = PartCrossing { t: span.enter, part: 0, face: span.enter_face, enters: true };
         let exit = PartCrossing { t: span.exit, part: 0, face: span.exit_face, enters: false };
         let has_caps = self.geometry.body(self.body.first).canonical().kind.has_caps();
-        for crossing in [enter, exit] {
+        let side = self.body.tree.visible_side();
+        let bodies = &self.geometry.bodies;
+        let goes_back = bodies.get(start.body as usize).is_some_and(|start| !start.is_transparent());
+        for crossing in [enter, exit].into_iter().filter(|crossing| side.is_met(crossing.enters)) {
             let is_ahead = match is_own {
                 true => start.inwards && !crossing.enters,
-                false if self.is_at_start(&crossing) => crossing.enters,
+                false if self.is_at_start(&crossing) => crossing.enters && !goes_back,
                 false => crossing.t > 0.0,
             };
             let t = crossing.t.max(0.0);

@@ -100,10 +100,13 @@ fn joined_walk(index: u32, ray: Ray, media: ptr<function, Media>) -> JoinedWalk 
         }
     }
     if is_surface(record) {
-        // Of the other parts it only counts what lies in them.
+        // Of the other parts it only counts what lies in them. A ray from an opaque body is going back.
         is_known = false;
-        at_enter &= vec2(1u, 0u);
-        at_exit &= vec2(1u, 0u);
+        let start = ray.start & NO_START;
+        let goes_back = start != NO_START && !body_is_transparent(start);
+        let of_first = vec2(select(1u, 0u, goes_back), 0u);
+        at_enter &= of_first;
+        at_exit &= of_first;
     }
     if !join_is_possible(record, met) {
         walk.enters = vec2(0u);
@@ -117,8 +120,8 @@ fn joined_walk(index: u32, ray: Ray, media: ptr<function, Media>) -> JoinedWalk 
     return walk;
 }
 
-// Of the crossings ahead keeps those of the first part's surface that lie in the other parts, of which the line comes
-// through those `met`.
+// Of the crossings ahead keeps those of the first part's surface that are seen and lie in the other parts, of which the
+// line comes through those `met`.
 fn keep_surface(walk: ptr<function, JoinedWalk>, count: u32, met: vec2<u32>) {
     let kind = body_kind((*walk).first);
     let has_caps = kind == CYLINDER || kind == CONE || kind == PARABOLOID;
@@ -132,7 +135,9 @@ fn keep_surface(walk: ptr<function, JoinedWalk>, count: u32, met: vec2<u32>) {
                 around |= bit_of(part);
             }
         }
-        let is_shown = (!has_caps || part_faces[0][side] == SIDE) && join_holds((*walk).record, around);
+        let hides = select(HIDES_OUTER, HIDES_INNER, side == 1u);
+        let is_seen = (scene_order[(*walk).record + 2u].y & hides) == 0u;
+        let is_shown = is_seen && (!has_caps || part_faces[0][side] == SIDE) && join_holds((*walk).record, around);
         shown |= vec2(is_shown) & (vec2(0u, 1u) == vec2(side));
     }
     (*walk).enters &= vec2(u32(shown.x), 0u);
@@ -343,7 +348,7 @@ fn filter_through_joined(index: u32, ray: Ray, media: ptr<function, Media>, dist
         if !is_met {
             break;
         }
-        if !body_is_transparent(crossing.part) {
+        if body_stops_light(crossing.part) {
             share = vec3(0.0);
             break;
         }

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
+use catoptric_scene::VisibleSide;
 use glam::{DMat3, DVec3};
 
 use crate::geometry::body::RenderBody;
@@ -92,7 +93,12 @@ impl FaceList {
             return self.add_simple(scene, camera, index, (hidden, Role::Alone), fineness, meshes);
         };
         if joined.tree.is_surface() {
-            return self.add_simple(scene, camera, joined.first, (None, Role::Surface), fineness, meshes);
+            let hidden = match joined.tree.visible_side() {
+                VisibleSide::Both => None,
+                VisibleSide::Outer => Some(true),
+                VisibleSide::Inner => Some(false),
+            };
+            return self.add_simple(scene, camera, joined.first, (hidden, Role::Surface), fineness, meshes);
         }
         for (part, index) in (0..).zip(joined.parts()) {
             // Of what is cut away the inner side is seen.

@@ -65,6 +65,9 @@ impl<W: Width> RayQuery<'_, W> {
             first[0]
         };
         let mut test = |index: u32| {
+            if self.geometry.body(index).is_shadowless() {
+                return;
+            }
             if self.geometry.body(index).is_joined() {
                 for (_, mut walk) in self.walks(index, self.lanes).into_iter().flatten() {
                     while let Some(crossing) = walk.next()
@@ -110,7 +113,7 @@ impl<W: Width> RayQuery<'_, W> {
         if self.geometry.body(index).is_joined() {
             return self.note_joined(index, distance, lanes, intervals);
         }
-        if self.geometry.body(index).is_transparent()
+        if self.geometry.body(index).takes_light_within()
             && let Some(crossed) = self.crossed(index, distance, lanes)
         {
             let BodyCrossing { in_front, enter, within, exit, .. } = crossed;
@@ -129,6 +132,9 @@ impl<W: Width> RayQuery<'_, W> {
         (index, distance): (u32, W::R),
         lanes: W::M,
     ) -> Transmittance<W> {
+        if self.geometry.body(index).is_shadowless() {
+            return Transmittance::all(lanes);
+        }
         if let Some(body) = self.geometry.joined(index).filter(|body| body.tree.is_convex())
             && body
                 .parts()
@@ -170,7 +176,7 @@ impl<W: Width> RayQuery<'_, W> {
         let doubtful = span.doubtful();
         let whole = self.geometry.body(index);
         let mut passed = Transmittance { lanes, share: None };
-        if !whole.is_transparent() {
+        if whole.stops_light() {
             passed.lanes = lanes & !(entered | left);
         } else if (entered | left).any() {
             let filter = scene.material(whole).filter;
@@ -193,7 +199,7 @@ impl<W: Width> RayQuery<'_, W> {
     #[cold]
     #[inline(never)]
     fn note_joined(&self, index: u32, distance: W::R, lanes: W::M, intervals: &mut MediumIntervals) {
-        if self.geometry.body(index).is_transparent() && !self.geometry.is_surface(index) {
+        if self.geometry.body(index).takes_light_within() && !self.geometry.is_surface(index) {
             let mut ends = [0.0; MOST_LANES];
             distance.store(&mut ends);
             note_walks(self.walks(index, lanes), index, &ends, intervals);
@@ -218,7 +224,7 @@ impl JoinedFilters {
                 && crossing.t < ends[lane]
             {
                 let part = scene.geometry.body(crossing.part);
-                if !part.is_transparent() {
+                if part.stops_light() {
                     passed.stopped |= 1 << lane;
                     break;
                 }
@@ -344,9 +350,12 @@ impl<W: Width> BodyVisitor<W> for TransmittanceVisitor<'_, W> {
         };
         let crossed = in_front | behind;
         let body = query.geometry.body(index);
-        if !body.is_transparent() {
+        if body.stops_light() {
             self.passed.lanes = self.passed.lanes & !crossed;
             self.t_max = W::R::select(self.passed.lanes, self.t_max, query.w.real(f32::NEG_INFINITY));
+            return;
+        }
+        if body.is_shadowless() {
             return;
         }
         if let Some(intervals) = &mut self.intervals {

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use crate::geometry::Members;
 use crate::geometry::body::double::Body64;
-use crate::geometry::body::{PreparedBody, RenderBody};
+use crate::geometry::body::{PreparedBody, RenderBody, passage};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::bvh::entry::BuildEntry;
 use crate::geometry::canonical::CanonicalBody;
@@ -252,7 +252,7 @@ impl<'a> ChunkBuild<'a> {
                 self.add_members(place, &body.form(), &body.material, DAffine3::IDENTITY)?;
                 (RenderBody::NONE, None)
             }
-            Shape::Union | Shape::Intersection | Shape::Difference | Shape::Surface => {
+            Shape::Union | Shape::Intersection | Shape::Difference | Shape::Surface { .. } => {
                 self.join(place, &body.form(), &body.material, DAffine3::IDENTITY)?
             }
             _ => {
@@ -285,7 +285,7 @@ impl<'a> ChunkBuild<'a> {
         let found = self.materials.find(self.named, choice);
         let (material, source) = found.ok_or_else(|| place.undefined_material(choice))?;
         body.material = material;
-        body.transparent = u8::from(self.materials.prepared(material).is_transparent());
+        body.passes = passage(self.materials.prepared(material).is_transparent(), place.body.shadow);
         if let Some(solid) = source.pattern().and_then(|pattern| pattern.solid.as_ref()) {
             body.solid = self.solids.len() as u32;
             self.solids.extend(SolidNode::row(solid, canonical, self.space, body.is_double()));
@@ -310,7 +310,7 @@ impl<'a> ChunkBuild<'a> {
                     self.add_members(place, &form, material, frame)?;
                     continue;
                 }
-                Shape::Union | Shape::Intersection | Shape::Difference | Shape::Surface => {
+                Shape::Union | Shape::Intersection | Shape::Difference | Shape::Surface { .. } => {
                     let (body, search) = self.join(place, &form, material, frame)?;
                     (body, None, search)
                 }
@@ -378,7 +378,8 @@ impl<'a> ChunkBuild<'a> {
         let bounds = whole.bounds().map_or(bounds, |own| own.common(bounds));
         let found = self.materials.find(self.named, material);
         (whole.material, _) = found.ok_or_else(|| place.undefined_material(material))?;
-        whole.transparent = u8::from(members.iter().any(|part| part.body.is_transparent()));
+        let is_transparent = members.iter().any(|part| part.body.is_transparent());
+        whole.passes = passage(is_transparent, place.body.shadow);
         self.joined.push(JoinedBuild { first: self.members.len() as u32, tree });
         self.members.extend(members);
         let search = if is_bounded { SearchedBounds::Bounded(bounds) } else { SearchedBounds::Endless };

@@ -6,7 +6,7 @@ use std::sync::{Arc, OnceLock};
 use catoptric_scene::{Body, Material, Scene, Shape, Tracing};
 
 use crate::geometry::Accelerator;
-use crate::geometry::body::{PreparedBody, RenderBody};
+use crate::geometry::body::{PreparedBody, RenderBody, passage};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::bvh::refit::NodePath;
 use crate::geometry::canonical::CanonicalBody;
@@ -211,7 +211,7 @@ impl BodyEdit {
         (source, space): (&Body, &RenderSpace),
     ) -> Self {
         let material = RenderMaterial::new(of);
-        body.transparent = u8::from(material.is_transparent());
+        body.passes = passage(material.is_transparent(), source.shadow);
         let solid = of.pattern().and_then(|pattern| pattern.solid.as_ref());
         let row = |solid| SolidNode::row(solid, &CanonicalBody::of(source), space, false);
         Self { place, body, material, solids: solid.map(row).unwrap_or_default(), path }
@@ -220,10 +220,22 @@ impl BodyEdit {
 
 /// Whether two bodies are the same to the tracer.
 fn is_alike(one: &Body, other: &Body) -> bool {
-    let Body { name: _, locked: _, shape, placement, material, hidden, parts, parametric: _, instance } = one;
+    let Body {
+        name: _,
+        locked: _,
+        shape,
+        placement,
+        material,
+        hidden,
+        shadow,
+        parts,
+        parametric: _,
+        instance,
+    } = one;
     let is_same = other.shape == *shape
         && other.placement == *placement
         && other.material == *material
+        && other.shadow == *shadow
         && other.parts == *parts
         && other.instance == *instance;
     (*hidden && other.hidden) || (is_same && other.hidden == *hidden)

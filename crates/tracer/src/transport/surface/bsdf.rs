@@ -13,7 +13,7 @@ use crate::transport::surface::microfacet::{
     facet_pdf, reflected_density, sample_visible_normal, smith_g1, transmitted_density,
 };
 use crate::transport::surface::model::{MaterialModel, conductor};
-use crate::transport::surface::{fresnel, mend_unit, phong_highlight, reflect, refract};
+use crate::transport::surface::{fresnel, mend_unit, phong_highlight, reflect, refract, schlick};
 
 /// The surfaces that rays side by side met. Masks tell whose lobes count. Of rays that met nothing, the numbers mean
 /// nothing.
@@ -49,6 +49,8 @@ pub(crate) struct Bsdf<W: Width> {
     pub(crate) scatters: W::M,
     /// Those with a highlight.
     pub(crate) glossy: W::M,
+    /// Those whose coefficients depend on the angle by Schlick's formula.
+    pub(crate) weighed: W::M,
     /// Boundaries of clear bodies.
     pub(crate) dielectric: W::M,
     /// Those of bodies that split light into its colors.
@@ -140,6 +142,7 @@ impl<W: Width> Bsdf<W> {
             transparent: none,
             scatters: none,
             glossy: none,
+            weighed: none,
             dielectric: none,
             disperses: none,
             rough: none,
@@ -403,6 +406,13 @@ impl<W: Width> Bsdf<W> {
         }
         // Total internal reflection: all of the light, and nothing twice.
         reflection = W::R::select(transparent & !passes, one, reflection);
+        let weighed = transparent & self.weighed;
+        if FULL && weighed.any() {
+            let share = schlick(self.cos_to(direction), ratio);
+            reflection = W::R::select(weighed, self.reflection * share, reflection);
+            let both = weighed & self.reflection.gt(w.real(0.0));
+            filter = Vector::select(both, filter * (one - share), filter);
+        }
         BsdfDirac { refracted, passes, reflection, filter }
     }
 

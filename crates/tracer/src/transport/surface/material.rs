@@ -100,6 +100,7 @@ impl RenderMaterial {
             reflection: phong.reflection() as f32,
             filter: linear_rgb(phong.tint).map(|tint| tint * phong.transmission as f32),
             ior: phong.ior as f32,
+            law: if phong.weighs_by_angle() { MaterialModel::Schlick } else { MaterialModel::Constant },
             ..Self::black(&phong.pattern)
         }
     }
@@ -310,7 +311,9 @@ impl Hash for MaterialKey<'_> {
                 transmission,
                 ior,
                 tint,
+                fresnel,
             }) => {
+                fresnel.hash(state);
                 hash_pattern(pattern, state);
                 hash_numbers(&[*ambient, *diffuse, *specular, *shininess, *transmission, *ior], state);
                 hash_numbers(reflection.as_slice(), state);

@@ -18,6 +18,8 @@ use crate::transport::surface::model::thin_dielectric::ThinDielectricMaterial;
 pub(crate) enum MaterialModel {
     /// k_r under any.
     Constant,
+    /// k_r and k_t of a clear body, weighed by Schlick's formula.
+    Schlick,
     /// C·k_r under any.
     Mirror,
     /// By Fresnel's formulas with the indices of refraction on either side; the rest goes on.
@@ -35,6 +37,7 @@ impl MaterialModel {
     pub(crate) fn name(&self) -> ReflectionModel {
         match self {
             Self::Constant => ReflectionModel::Constant,
+            Self::Schlick => ReflectionModel::Schlick,
             Self::Mirror => ReflectionModel::Mirror,
             Self::Dielectric => ReflectionModel::Dielectric,
             Self::Conductor(_) => ReflectionModel::Conductor,
@@ -56,6 +59,7 @@ impl MaterialModel {
     ) {
         match self {
             Self::Constant => {}
+            Self::Schlick => bsdf.weighed = bsdf.weighed | lanes,
             Self::Mirror => bsdf.set_tint(colors.color * w.real(material.reflection), lanes),
             Self::Dielectric => {
                 bsdf.dielectric = bsdf.dielectric | lanes;
@@ -78,6 +82,8 @@ impl MaterialModel {
 pub enum ReflectionModel {
     /// Whitted's k_r under every angle.
     Constant,
+    /// Whitted's k_r and k_t, weighed by Schlick's formula for the indices on either side.
+    Schlick,
     /// A mirror's color under every angle.
     Mirror,
     /// Fresnel's formulas for the indices on either side; the rest goes on.
@@ -95,6 +101,7 @@ impl ReflectionModel {
     pub const fn key(self) -> &'static str {
         match self {
             Self::Constant => "constant",
+            Self::Schlick => "schlick",
             Self::Mirror => "mirror",
             Self::Dielectric => "dielectric",
             Self::Conductor => "conductor",
@@ -105,6 +112,6 @@ impl ReflectionModel {
 
     /// Whether the surface has a ground that scatters light: ambient and diffuse terms.
     pub const fn has_ground(self) -> bool {
-        matches!(self, Self::Constant | Self::Coat)
+        matches!(self, Self::Constant | Self::Schlick | Self::Coat)
     }
 }

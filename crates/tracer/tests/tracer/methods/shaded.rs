@@ -333,8 +333,10 @@ fn joined_bodies_have_their_shape_in_all_three() {
     };
     let pipe = open(ShapeKind::OpenCylinder, DVec3::new(-0.9, 0.0, 1.9), v(0.0, 0.0, -20.0));
     let sail = open(ShapeKind::Triangle, DVec3::new(1.1, 0.6, 1.6), v(80.0, 20.0, 0.0));
+    let mut channel = open(ShapeKind::OpenCylinder, DVec3::new(0.9, 1.9, 1.2), v(0.0, 0.0, -70.0));
+    channel.change_shape(|shape| shape.set_word("visible_side", "inner"));
     let dome = joined(
-        Shape::Surface,
+        Shape::SURFACE,
         vec![
             part(Shape::Sphere { radius: 0.7 }, DVec3::ZERO),
             of([0.1, 0.3, 0.9], part(Shape::Cube { size: v(1.0, 2.0, 2.0) }, v(0.2, 0.2, 0.4))),
@@ -343,7 +345,7 @@ fn joined_bodies_have_their_shape_in_all_three() {
     );
     let floor = body(Shape::Plane, DVec3::ZERO, glow(0.3, 0.4, 0.5));
     let scene = scene(
-        vec![die, tube, lens, pipe, sail, dome, floor],
+        vec![die, tube, lens, pipe, sail, channel, dome, floor],
         camera(v(0.6, 3.6, 6.0), v(0.0, 0.6, 0.0), 42.0),
         Vec::new(),
     );

@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 
-use catoptric_scene::{Body, Falloff, Image, Scene, Shape, Sky, Surroundings};
+use catoptric_scene::{Body, Falloff, Image, Scene, Shadow, Shape, Sky, Surroundings};
 use catoptric_tracer::{Ray, RayIntersection, RenderControl, RenderScene, RenderSettings, render};
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
@@ -23,6 +23,7 @@ enum Edit {
     Recolor(usize, Body),
     Two(usize, usize, DVec3),
     Hide(usize),
+    Shade(usize),
     Remove(usize),
     Surroundings(f64),
     Rename(usize),
@@ -40,6 +41,7 @@ fn edit() -> impl Strategy<Value = Edit> {
         3 => (at(), body()).prop_map(|(at, body)| Edit::Recolor(at, body)),
         3 => (at(), at(), near).prop_map(|(one, other, offset)| Edit::Two(one, other, offset)),
         1 => at().prop_map(Edit::Hide),
+        1 => at().prop_map(Edit::Shade),
         1 => at().prop_map(Edit::Remove),
         1 => (0.1..1.0_f64).prop_map(Edit::Surroundings),
         1 => at().prop_map(Edit::Rename),
@@ -65,6 +67,7 @@ impl Edit {
                 return vec![one % count, other % count];
             }
             Self::Hide(at) => scene.bodies[at % count].hidden ^= true,
+            Self::Shade(at) => scene.bodies[at % count].shadow = Shadow::ALL[at % 3],
             Self::Remove(at) => {
                 scene.bodies.remove(at % count);
                 return Vec::new();
@@ -91,6 +94,7 @@ impl Edit {
         | Self::Reshape(at, _)
         | Self::Recolor(at, _)
         | Self::Hide(at)
+        | Self::Shade(at)
         | Self::Rename(at)) = self
         else {
             return Vec::new();

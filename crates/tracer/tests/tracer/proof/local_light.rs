@@ -1,6 +1,9 @@
 //! The local terms: ambient, Lambert, Phong, falloff, shadows, the checkerboard.
 
-use catoptric_scene::{Body, Color, Falloff, Material, Pattern, Phong, Scene, SolidTexture};
+use catoptric_scene::{
+    Anchor, Attenuation, Body, BodyPart, Color, Dielectric, Falloff, Material, MaterialChoice, Pattern,
+    Phong, Placement, Scene, Shadow, Shape, SolidTexture,
+};
 use catoptric_tracer::surface::phong_highlight;
 use glam::{DVec3, Vec3, Vec3A};
 
@@ -271,4 +274,60 @@ fn what_meets_nothing_brings_the_background() {
     let mut scene = scene(vec![]);
     scene.environment.background = Color::new(0.1, 2.0, 30.0);
     assert_eq!(center(&scene), Vec3::new(0.1, 2.0, 30.0));
+}
+
+/// All light passes what is to cast no shadow, and none what is to cast a full one, whatever it is made of: alone and among
+/// many bodies, simple and of parts.
+#[test]
+fn bodies_cast_the_shadows_that_they_should() {
+    let part = |shape, at| BodyPart { shape, placement: Placement::at(at), ..BodyPart::default() };
+    let of_parts = |shape| Body {
+        shape,
+        parts: vec![part(Shape::SPHERE, DVec3::ZERO), part(Shape::CUBE, v(0.0, 0.6, 0.0))],
+        placement: Placement::at(v(0.0, 3.0, 0.0)),
+        ..Body::default()
+    };
+    // Its inside is above.
+    let anchor = Anchor::Frame { position: v(0.0, 3.0, 0.0), rotation_degrees: v(180.0, 0.0, 0.0) };
+    let placement = Placement { anchor, ..Placement::default() };
+    let ceiling = Body { shape: Shape::Plane, placement, ..Body::default() };
+    let absorbing = Dielectric {
+        attenuation: Attenuation { color: Color::from([0.2, 0.5, 0.9]), distance: 2.0 },
+        ..Dielectric::default()
+    };
+    let materials: [Material; 3] =
+        [chalk().into(), Phong { transmission: 0.5, ..glass(1.5) }.into(), absorbing.into()];
+    let shapes = [
+        ball(1.0, v(0.0, 3.0, 0.0), chalk()),
+        of_parts(Shape::Union),
+        of_parts(Shape::Intersection),
+        of_parts(Shape::SURFACE),
+        of_parts(Shape::Group),
+        ceiling,
+    ];
+    for (material, shape) in
+        materials.iter().flat_map(|material| shapes.iter().map(move |shape| (material, shape)))
+    {
+        for crowd in [0, 100] {
+            let shade = |shadow| {
+                let mut scene = floor_seen_at(0.0, chalk());
+                scene.lights = vec![light(v(0.0, 9.0, 0.0), 1.0, Falloff::None)];
+                // The camera is below what is between the floor and the lamp.
+                scene.camera.position.y = 1.0;
+                let others = (0..crowd).map(|at| ball(1.0, v(20.0 + 3.0 * f64::from(at), 1.0, 0.0), chalk()));
+                let material = MaterialChoice::own(material.clone());
+                scene.bodies.extend(others.chain([Body { material, shadow, ..shape.clone() }]));
+                center(&scene)
+            };
+            assert_light(shade(Shadow::None), [1.0; 3]);
+            assert_light(shade(Shadow::Full), [0.0; 3]);
+            let filtered = shade(Shadow::Filtered);
+            let is_opaque = *material == materials[0];
+            assert!(
+                filtered.max_element() < 0.99 && (filtered.min_element() > 0.0) != is_opaque,
+                "{:?}",
+                shape.shape
+            );
+        }
+    }
 }

@@ -1,8 +1,8 @@
 //! Random scenes of everything against the oracle.
 
 use catoptric_scene::{
-    Anchor, Body, Color, Falloff, Material, ParaboloidDepth, Pattern, Phong, Placement, Projection, Scene,
-    Shape, SolidKind, SolidTexture, Tracing,
+    Anchor, Body, Color, Falloff, FresnelTerm, Material, ParaboloidDepth, Pattern, Phong, Placement,
+    Projection, Scene, Shadow, Shape, SolidKind, SolidTexture, Tracing,
 };
 use glam::DVec3;
 use proptest::prelude::*;
@@ -52,8 +52,10 @@ pub(crate) fn material() -> impl Strategy<Value = Material> {
         let pattern = Pattern { color, solid: Some(solid), ..Pattern::default() };
         Material::Phong(Phong { pattern, ..Phong::default() })
     });
-    let clear = (color(), 0.4..1.0_f64, 0.0..0.3_f64, 0.7..2.0_f64).prop_map(
-        |(tint, transmission, reflection, ior)| {
+    let fresnel = prop::sample::select(FresnelTerm::ALL.to_vec());
+    let reflection = prop_oneof![1 => Just(0.0), 5 => 0.0..0.3_f64];
+    let clear = (color(), 0.4..1.0_f64, reflection, 0.7..2.0_f64, fresnel).prop_map(
+        |(tint, transmission, reflection, ior, fresnel)| {
             Material::Phong(Phong {
                 ambient: 0.02,
                 diffuse: 0.1,
@@ -62,11 +64,17 @@ pub(crate) fn material() -> impl Strategy<Value = Material> {
                 transmission,
                 reflection: Some(reflection),
                 ior,
+                fresnel,
                 ..Phong::default()
             })
         },
     );
     prop_oneof![3 => opaque, 1 => patterned, 2 => clear]
+}
+
+/// Mostly what surfaces let through.
+pub(crate) fn shadow() -> impl Strategy<Value = Shadow> {
+    prop_oneof![8 => Just(Shadow::Filtered), 1 => Just(Shadow::None), 1 => Just(Shadow::Full)]
 }
 
 pub(crate) fn body() -> impl Strategy<Value = Body> {
@@ -92,10 +100,10 @@ pub(crate) fn body() -> impl Strategy<Value = Body> {
     let place = (-2.0..2.0_f64, 0.1..2.0_f64, -2.0..2.0_f64).prop_map(DVec3::from);
     let turn = prop::array::uniform3(-180.0..180.0_f64).prop_map(DVec3::from);
     let scale = prop_oneof![Just(DVec3::ONE), prop::array::uniform3(0.4..1.6_f64).prop_map(DVec3::from)];
-    (shape, place, turn, scale, material()).prop_map(
-        |(shape, position, rotation_degrees, scale, material)| {
+    (shape, place, turn, scale, material(), shadow()).prop_map(
+        |(shape, position, rotation_degrees, scale, material, shadow)| {
             let anchor = Anchor::Frame { position, rotation_degrees };
-            placed(shape, Placement { anchor, scale }, material)
+            Body { shadow, ..placed(shape, Placement { anchor, scale }, material) }
         },
     )
 }

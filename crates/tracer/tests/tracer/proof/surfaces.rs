@@ -2,7 +2,7 @@
 
 use catoptric_scene::{
     Anchor, Attenuation, Body, BodyPart, Color, Dielectric, Falloff, MaterialChoice, ParaboloidDepth, Phong,
-    Placement, Scene, Shape,
+    Placement, Scene, Shape, VisibleSide,
 };
 use catoptric_tracer::RenderScene;
 use glam::DVec3;
@@ -23,7 +23,7 @@ fn part(shape: Shape, at: DVec3) -> BodyPart {
 
 /// The surface of the first part within the others.
 fn surface(parts: Vec<BodyPart>, material: impl Into<catoptric_scene::Material>) -> Body {
-    Body { shape: Shape::Surface, parts, material: MaterialChoice::own(material), ..Body::default() }
+    Body { shape: Shape::SURFACE, parts, material: MaterialChoice::own(material), ..Body::default() }
 }
 
 /// A cylinder about the Y axis from y = 0 to y = 2.
@@ -130,6 +130,46 @@ fn a_surface_has_no_inside() {
     assert!(seen.min_element() > 0.9, "{seen}");
 }
 
+/// Of a pipe of which one side is seen, rays from outside meet the near wall, or pass it and meet the far one.
+#[test]
+fn one_side_alone_may_be_seen() {
+    let pipe = |side| Body { shape: Shape::Surface { side }, ..open_cylinder(glass(1.0)) };
+    let square = |side| {
+        let parts =
+            vec![part(Shape::Plane, DVec3::ZERO), part(Shape::Cube { size: v(2.0, 1.0, 2.0) }, DVec3::ZERO)];
+        Body { shape: Shape::Surface { side }, ..surface(parts, glass(1.0)) }
+    };
+    for (side, through_pipe, on_square) in [
+        (VisibleSide::Both, vec![2.5, 3.5], [true, true]),
+        (VisibleSide::Outer, vec![2.5], [true, false]),
+        (VisibleSide::Inner, vec![3.5], [false, true]),
+    ] {
+        let scene = stage_of(vec![pipe(side)]);
+        let found = met(&scene, v(3.0, 1.0, 0.0), DVec3::NEG_X);
+        assert_eq!(found.len(), through_pipe.len(), "{side:?}: {found:?}");
+        found.iter().zip(&through_pipe).for_each(|(found, expected)| assert_close(*found, *expected, 1e-6));
+        let scene = stage_of(vec![square(side)]);
+        let found = [1.0, -1.0].map(|y| met(&scene, v(0.3, 2.0 * y, 0.4), DVec3::NEG_Y * y).len() == 1);
+        assert_eq!(found, on_square, "{side:?}");
+    }
+}
+
+/// Shadow rays come from what is lit: a square that is seen from above alone lets them pass from below.
+#[test]
+fn what_is_not_seen_casts_no_shadow() {
+    for (side, lit) in [(VisibleSide::Outer, 1.0), (VisibleSide::Both, 0.0), (VisibleSide::Inner, 0.0)] {
+        let parts = vec![
+            part(Shape::Plane, v(0.0, 1.0, 0.0)),
+            part(Shape::Cube { size: v(2.0, 1.0, 2.0) }, v(0.0, 1.0, 0.0)),
+        ];
+        let square = Body { shape: Shape::Surface { side }, ..surface(parts, chalk()) };
+        let mut scene = scene(vec![plane(DVec3::ZERO, 0.0, chalk()), square]);
+        scene.lights = vec![light(v(0.0, 3.0, 0.0), 1.0, Falloff::None)];
+        let scene = RenderScene::build(&scene).unwrap();
+        assert_light(light_along(&scene, ray(v(0.0, 0.5, 0.0), DVec3::NEG_Y)), [lit; 3]);
+    }
+}
+
 /// A tube of mirror, open at both ends: rays are reflected on its inner side as often as geometry has it.
 #[test]
 fn the_inner_side_reflects() {
@@ -207,8 +247,9 @@ fn any_surface() -> impl Strategy<Value = Body> {
         let placement = Placement { scale: scale * part.placement.scale, ..part.placement };
         BodyPart { placement, ..part }
     });
-    (simple(), prop::collection::vec(cut, 0..2), random::material(), any::<[bool; 2]>()).prop_map(
-        |(first, mut cuts, material, [is_flat, is_near])| {
+    let side = (prop::sample::select(VisibleSide::ALL.to_vec()), random::shadow());
+    (simple(), prop::collection::vec(cut, 0..2), random::material(), any::<[bool; 2]>(), side).prop_map(
+        |(first, mut cuts, material, [is_flat, is_near], (side, shadow))| {
             let place = first.placement;
             let first = match is_flat {
                 true => BodyPart { shape: Shape::Plane, ..first },
@@ -228,7 +269,8 @@ fn any_surface() -> impl Strategy<Value = Body> {
                 }
             }
             let parts = [vec![first], cuts].concat();
-            Body { shape: Shape::Surface, parts, material: MaterialChoice::own(material), ..Body::default() }
+            let shape = Shape::Surface { side };
+            Body { shape, parts, material: MaterialChoice::own(material), shadow, ..Body::default() }
         },
     )
 }

@@ -112,36 +112,43 @@ fn highlight<'t>(rows: &mut Vec<FormulaRow<'t>>, texts: &'t Texts, phong: &Phong
     pair(rows, texts.get("in-formula-highlight"), 32.0, phong.specular == 0.0, symbols, numbers);
 }
 
-/// + k_r I_reflected
+/// + k_r I_reflected, weighed by R(θ) if need be
 fn reflection<'t>(rows: &mut Vec<FormulaRow<'t>>, texts: &'t Texts, phong: &Phong) {
     let reflected = texts.get("in-formula-reflected");
+    let weight = if phong.weighs_by_angle() { " R(θ) " } else { "" };
     let symbols = vec![
         FormulaFactor::sign("+ "),
         FormulaFactor::symbol(Symbol::Reflection),
+        FormulaFactor::sign(weight),
         FormulaFactor::text(Symbol::Reflected, reflected),
     ];
     let value = phong.reflection();
     let numbers = vec![
         FormulaFactor::number(texts, Symbol::Reflection, value),
+        FormulaFactor::sign(weight),
         FormulaFactor::sign("·"),
         FormulaFactor::text(Symbol::Reflected, reflected),
     ];
     pair(rows, texts.get("in-formula-reflection"), 14.0, value == 0.0, symbols, numbers);
 }
 
-/// + k_t τ I_refracted
+/// + k_t τ I_refracted, weighed by 1 − R(θ) if need be
 fn transmission<'t>(rows: &mut Vec<FormulaRow<'t>>, texts: &'t Texts, phong: &Phong) {
     let refracted = texts.get("in-formula-refracted");
+    let is_weighed = phong.weighs_by_angle() && phong.reflection() > 0.0;
+    let weight = if is_weighed { " (1 − R(θ)) " } else { "" };
     let symbols = vec![
         FormulaFactor::sign("+ "),
         FormulaFactor::symbol(Symbol::Transmission),
         FormulaFactor::symbol(Symbol::Tint),
+        FormulaFactor::sign(weight),
         FormulaFactor::text(Symbol::Refracted, refracted),
     ];
     let numbers = vec![
         FormulaFactor::number(texts, Symbol::Transmission, phong.transmission),
         FormulaFactor::sign("·"),
         FormulaFactor::color(texts, Symbol::Tint, phong.tint),
+        FormulaFactor::sign(weight),
         FormulaFactor::sign("·"),
         FormulaFactor::text(Symbol::Refracted, refracted),
     ];

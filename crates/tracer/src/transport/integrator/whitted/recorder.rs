@@ -179,7 +179,7 @@ impl PathObserver<ScalarWidth> for PathRecorder<'_> {
         for (hit, RayOrigin { body: whole, inwards: leaving }) in hits {
             let body = self.scene.geometry.body(hit.body);
             let mut filter = None;
-            if body.is_transparent() {
+            if !body.stops_light() {
                 let own = Vec3::from(self.scene.material(body).filter);
                 filter = Some(own * left_until(hit.t, &media));
                 media.retain(|&other| other != whole);

@@ -33,7 +33,13 @@ fn crossing(
         filter_color = filter_of(start & NO_START);
     }
     // Total internal reflection: all of the light, and nothing twice.
-    return MediumTransition(ratio, bent.direction, bent.passes, select(1.0, reflection, bent.passes), filter_color);
+    reflection = select(1.0, reflection, bent.passes);
+    if material.law == LAW_SCHLICK {
+        let share = schlick(cos, ratio);
+        reflection = material.reflection * share;
+        filter_color *= select(1.0, 1.0 - share, material.reflection > 0.0);
+    }
+    return MediumTransition(ratio, bent.direction, bent.passes, reflection, filter_color);
 }
 
 // The coefficients of a ray that crosses a surface, and whether there is one.

@@ -3,8 +3,8 @@
 
 use catoptric_picture::Picture;
 use catoptric_scene::{
-    Anchor, Body, Camera, Color, Falloff, Form, Material, MaterialChoice, Phong, Projection, Scene, Shape,
-    SolidKind, SolidTexture,
+    Anchor, Body, Camera, Color, Falloff, Form, FresnelTerm, Material, MaterialChoice, Phong, Projection,
+    Scene, Shadow, Shape, SolidKind, SolidTexture, VisibleSide,
 };
 use glam::{DAffine3, DMat3, DVec3};
 
@@ -50,7 +50,7 @@ fn contains<'p>(form: &Form<'_>, parts: &mut impl Iterator<Item = &'p PlacedPart
     // Every part is asked, so that the next form has its own.
     let inside: Vec<bool> = form.parts.iter().map(|part| contains(&part.form(), parts, p)).collect();
     match form.shape {
-        Shape::Surface => false,
+        Shape::Surface { .. } => false,
         Shape::Intersection => inside.iter().all(|is_in| *is_in),
         Shape::Difference => inside[0] && !inside[1..].contains(&true),
         _ => inside.contains(&true),
@@ -64,8 +64,8 @@ impl<'a> Placed<'a> {
 
     /// Where a line crosses the surface: the parameter, the outward normal, and what the surface is made of.
     fn crossings(&self, origin: DVec3, direction: DVec3) -> Vec<(f64, DVec3, &'a Phong)> {
-        if self.form.shape == Shape::Surface {
-            return self.surface_crossings(origin, direction);
+        if let Shape::Surface { side } = self.form.shape {
+            return self.surface_crossings(side, origin, direction);
         }
         let mut all: Vec<_> = self.parts.iter().flat_map(|part| part.crossings(origin, direction)).collect();
         if self.parts.len() == 1 {
@@ -82,8 +82,13 @@ impl<'a> Placed<'a> {
         all
     }
 
-    /// Of a surface those of the first part count, but for its caps, that lie in all others.
-    fn surface_crossings(&self, origin: DVec3, direction: DVec3) -> Vec<(f64, DVec3, &'a Phong)> {
+    /// Of a surface those of the first part count, but for its caps, that are seen and lie in all others.
+    fn surface_crossings(
+        &self,
+        side: VisibleSide,
+        origin: DVec3,
+        direction: DVec3,
+    ) -> Vec<(f64, DVec3, &'a Phong)> {
         let (first, others) = self.parts.split_first().unwrap();
         let mut all = first.crossings(origin, direction);
         all.retain(|&(t, normal, _)| {
@@ -91,7 +96,12 @@ impl<'a> Placed<'a> {
             let is_round =
                 matches!(first.shape, Shape::Cylinder { .. } | Shape::Cone { .. } | Shape::Paraboloid { .. });
             let is_cap = is_round && in_body.x.hypot(in_body.z) < 1e-6 * in_body.length();
-            !is_cap && others.iter().all(|other| other.contains(origin + t * direction))
+            let is_seen = match side {
+                VisibleSide::Both => true,
+                VisibleSide::Outer => normal.dot(direction) < 0.0,
+                VisibleSide::Inner => normal.dot(direction) > 0.0,
+            };
+            is_seen && !is_cap && others.iter().all(|other| other.contains(origin + t * direction))
         });
         all
     }
@@ -134,7 +144,7 @@ impl<'a> PlacedPart<'a> {
                 0.5 * std::f64::consts::PI * radius * radius * depth.height(radius)
             }
             Shape::Plane => f64::INFINITY,
-            Shape::Union | Shape::Intersection | Shape::Difference | Shape::Surface | Shape::Group => {
+            Shape::Union | Shape::Intersection | Shape::Difference | Shape::Surface { .. } | Shape::Group => {
                 unreachable!("parts are simple")
             }
         };
@@ -214,24 +224,32 @@ impl<'a> Oracle<'a> {
             self.trace(at, mirrored, generation + 1, media)
         };
         let mut reflection = material.reflection();
-        if filter(material) != DVec3::ZERO {
+        let mut passing = filter(material);
+        if passing != DVec3::ZERO {
             let mut beyond = media.to_vec();
             match beyond.iter().rposition(|&inside| inside == hit.body) {
                 // Beyond a surface there is what was before it.
-                _ if self.bodies[hit.body].form.shape == Shape::Surface => {}
+                _ if self.bodies[hit.body].form.shape.is_surface() => {}
                 Some(place) => drop(beyond.remove(place)),
                 None => beyond.push(hit.body),
             }
             let index = |media: &[usize]| media.last().map_or(1.0, |&body| self.bodies[body].material.ior);
+            let is_weighed = material.fresnel == FresnelTerm::Schlick;
+            if is_weighed {
+                let share = schlick(-direction.dot(n), index(media), index(&beyond));
+                passing *= if reflection > 0.0 { 1.0 - share } else { 1.0 };
+                reflection *= share;
+            }
             match snell(direction, n, index(media), index(&beyond)) {
                 // A ray that goes straight on is the same ray still, in the last generation, too.
                 Some(bent) => {
                     let is_bent = index(media) != index(&beyond);
                     if !(is_last && is_bent) {
                         let next = generation + u32::from(is_bent);
-                        light += filter(material) * self.trace(at, bent, next, &beyond);
+                        light += passing * self.trace(at, bent, next, &beyond);
                     }
                 }
+                None if is_weighed => {}
                 None => reflection = 1.0,
             }
         }
@@ -268,10 +286,12 @@ impl<'a> Oracle<'a> {
 
     fn visibility(&self, at: DVec3, to_light: DVec3, distance: f64) -> DVec3 {
         let mut passed = DVec3::ONE;
-        for placed in &self.bodies {
+        let casting =
+            self.bodies.iter().zip(&self.scene.bodies).filter(|(_, body)| body.shadow != Shadow::None);
+        for (placed, body) in casting {
             for (t, _, material) in placed.crossings(at, to_light) {
                 if t > self.offset && t < distance - self.offset {
-                    passed *= filter(material);
+                    passed *= if body.shadow == Shadow::Full { DVec3::ZERO } else { filter(material) };
                 }
             }
         }
@@ -288,6 +308,20 @@ fn snell(direction: DVec3, n: DVec3, from: f64, to: f64) -> Option<DVec3> {
     }
     let tangent = along.normalize_or_zero();
     Some((sin * tangent - (1.0 - sin * sin).sqrt() * n).normalize())
+}
+
+/// The book's function (Buck 2019, chapter 11), with `cos` that of the angle of incidence.
+fn schlick(mut cos: f64, n1: f64, n2: f64) -> f64 {
+    if n1 > n2 {
+        let n = n1 / n2;
+        let sin2_t = n * n * (1.0 - cos * cos);
+        if sin2_t > 1.0 {
+            return 1.0;
+        }
+        cos = (1.0 - sin2_t).sqrt();
+    }
+    let r0 = ((n1 - n2) / (n1 + n2)).powi(2);
+    r0 + (1.0 - r0) * (1.0 - cos).powi(5)
 }
 
 fn place<'a>(scene: &'a Scene, body: &'a Body) -> Placed<'a> {

@@ -21,7 +21,7 @@ pub(crate) fn crossings(shape: &Shape, o: DVec3, d: DVec3) -> Vec<Crossing> {
         Shape::Paraboloid { radius, depth } => paraboloid(radius, depth.height(radius), o, d),
         Shape::Plane if d.y == 0.0 => Vec::new(),
         Shape::Plane => vec![(-o.y / d.y, DVec3::Y)],
-        Shape::Union | Shape::Intersection | Shape::Difference | Shape::Surface | Shape::Group => {
+        Shape::Union | Shape::Intersection | Shape::Difference | Shape::Surface { .. } | Shape::Group => {
             unreachable!("compound bodies are asked part by part")
         }
     };
@@ -53,7 +53,7 @@ pub(crate) fn implicit(shape: &Shape, p: DVec3) -> f64 {
             (level / slope.length()).max(p.y - height)
         }
         Shape::Plane => p.y,
-        Shape::Union | Shape::Intersection | Shape::Difference | Shape::Surface | Shape::Group => {
+        Shape::Union | Shape::Intersection | Shape::Difference | Shape::Surface { .. } | Shape::Group => {
             unreachable!("compound bodies are asked part by part")
         }
     }
