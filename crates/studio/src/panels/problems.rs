@@ -17,6 +17,7 @@ use egui_material_icons::icons;
 use crate::base::theme::{self, ThemeColors};
 use crate::base::widgets::paint_line_in;
 use crate::panels::viewport::why;
+use crate::state::command::{Command, FileCommand};
 use crate::state::context::Cx;
 use excerpt::Excerpt;
 
@@ -125,7 +126,7 @@ fn live_ui(ui: &mut Ui, cx: &mut Cx<'_>, problems: &ProblemsPanel, fault: Option
     ui.separator();
 }
 
-fn list_ui(ui: &mut Ui, cx: &Cx<'_>, problems: &mut ProblemsPanel) {
+fn list_ui(ui: &mut Ui, cx: &mut Cx<'_>, problems: &mut ProblemsPanel) {
     let number = problems.findings.len() + problems.findings.omitted();
     let arguments = [("number", number.into()), ("name", problems.name.as_str().into())];
     let heading = if problems.has_only_notes() {
@@ -133,7 +134,13 @@ fn list_ui(ui: &mut Ui, cx: &Cx<'_>, problems: &mut ProblemsPanel) {
     } else {
         cx.texts.with("problems-in", &arguments)
     };
-    ui.label(RichText::new(heading).strong());
+    ui.horizontal_wrapped(|ui| {
+        ui.label(RichText::new(heading).strong());
+        let otherwise = Command::from(FileCommand::ReadOtherwise);
+        if cx.situation().can(&otherwise) && ui.button(cx.t("command-read-otherwise")).clicked() {
+            cx.run(otherwise);
+        }
+    });
     let line =
         ui.text_style_height(&egui::TextStyle::Body).max(ui.text_style_height(&egui::TextStyle::Monospace));
     let tops = tops(&problems.findings, line);

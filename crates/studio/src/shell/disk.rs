@@ -55,13 +55,12 @@ pub(crate) struct ForeignRefusal {
 /// The most errors that are listed.
 const MOST_ERRORS: usize = 3;
 
-/// Reads the file at `path`. In a scene of another ray tracer `is_approximate` replaces what cannot be taken over by
-/// what comes nearest.
-pub(crate) fn read(path: &Path, is_approximate: bool) -> Result<OpenedScene, ReadFailure> {
+/// Reads the file at `path`; `options` are for scenes of other ray tracers.
+pub(crate) fn read(path: &Path, options: ImportOptions) -> Result<OpenedScene, ReadFailure> {
     // Looked at before reading: what is written meanwhile counts as a change.
     let stamp = FileStamp::of(path);
     if let Some(format) = ForeignFormat::of_path(path) {
-        return read_foreign(path, format, stamp, is_approximate);
+        return read_foreign(path, format, stamp, options);
     }
     let (reading, text) = load_partly(path).map_err(|error| read_failure(path, error))?;
     if reading.diagnostics.has_errors() && reading.scene == Scene::default() {
@@ -76,12 +75,10 @@ fn read_foreign(
     path: &Path,
     format: ForeignFormat,
     stamp: Option<FileStamp>,
-    is_approximate: bool,
+    options: ImportOptions,
 ) -> Result<OpenedScene, ReadFailure> {
-    let load = |is_approximate| {
-        catoptric_exchange::load(path, format, &ImportOptions { is_approximate, ..ImportOptions::default() })
-    };
-    match load(is_approximate) {
+    let load = |options| catoptric_exchange::load(path, format, &options);
+    match load(options) {
         Ok((LoadedScene { scene, text, warnings }, _)) => Ok(OpenedScene {
             path: path.to_owned(),
             text: text.into(),
@@ -98,7 +95,8 @@ fn read_foreign(
                 format,
                 more: count.saturating_sub(errors.len()),
                 errors,
-                is_approximable: !is_approximate && load(true).is_ok(),
+                is_approximable: !options.is_approximate
+                    && load(ImportOptions { is_approximate: true, ..options }).is_ok(),
             }))
         }
         Err(error) => Err(read_failure(path, error)),
@@ -276,7 +274,7 @@ mod tests {
         let scene = "A 0.2 255,255,255\nC 0,0,5 0,0,-1 70\nL 0,9,0 0.6 255,255,255\nsp 0,0,0 1 255,0,0\n";
         let refused = |text: &str, is_approximate| {
             fs::write(&path, text).unwrap();
-            match read(&path, is_approximate) {
+            match read(&path, ImportOptions { is_approximate, ..ImportOptions::default() }) {
                 Err(ReadFailure::Foreign(refusal)) => refusal,
                 other => panic!("{other:?}"),
             }
@@ -288,7 +286,8 @@ mod tests {
         for said in ["a.rt", "miniRT", "5:1: error: there is no element `to`", "pproximately"] {
             assert!(words.contains(said), "{said}: {words}");
         }
-        let opened = read(&path, true).unwrap();
+        let approximately = ImportOptions { is_approximate: true, ..ImportOptions::default() };
+        let opened = read(&path, approximately).unwrap();
         assert!(opened.is_foreign && !opened.findings.has_errors());
         assert_eq!(opened.scene.bodies.len(), 1);
         // What nothing comes near to stays an error.

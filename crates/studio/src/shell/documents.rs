@@ -5,6 +5,7 @@
 mod autosave;
 mod banner;
 mod close_guard;
+mod dialect_dialog;
 mod link;
 mod new_scene;
 mod open;
@@ -37,6 +38,7 @@ use crate::shell::studio::file_prompt::{self, ChosenFile, FilePrompt, FilePrompt
 use crate::state::command::FileCommand;
 use crate::state::settings::LastScene;
 pub(crate) use banner::{banner_ui, progress_ui};
+use dialect_dialog::DialectDialog;
 pub(crate) use start::start;
 
 /// From this number of bodies on, a scene counts as large.
@@ -69,6 +71,10 @@ pub(crate) fn run(context: &Context, studio: &mut Studio, act: FileCommand) {
             if let Some(example) = Example::find(name) {
                 close_guard::replace(context, studio, NextDocument::Example(example));
             }
+        }
+        FileCommand::ReadOtherwise => {
+            let dialog = DialectDialog::new(studio);
+            studio.dialogs.open(dialog);
         }
         FileCommand::Revert => open::revert(context, studio),
         FileCommand::Save => save::save(context, studio, None),

@@ -198,6 +198,7 @@ fn file() -> Vec<MenuItem> {
         FileCommand::Save,
         FileCommand::SaveAs,
         FileCommand::Revert,
+        FileCommand::ReadOtherwise,
         FileCommand::CopyLink,
     ]));
     entries.push(MenuItem::Line);

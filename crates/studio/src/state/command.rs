@@ -76,6 +76,8 @@ pub enum FileCommand {
     Examples,
     /// Open this built-in scene.
     OpenExample(&'static str),
+    /// Ask how the scene of another ray tracer is to be read, and read it again.
+    ReadOtherwise,
     /// Back to the saved file.
     Revert,
     /// Write the scene to its file.

@@ -118,13 +118,16 @@ impl CommandContext<'_> {
     /// Whether a command is offered at all, possible or not.
     pub(crate) fn is_offered(&self, command: &Command) -> bool {
         match command {
-            Command::File(act @ (FileCommand::CopyLink | FileCommand::Quit)) => self.can_file(act),
+            Command::File(act @ (FileCommand::ReadOtherwise | FileCommand::CopyLink | FileCommand::Quit)) => {
+                self.can_file(act)
+            }
             _ => true,
         }
     }
 
     fn can_file(&self, act: &FileCommand) -> bool {
         match act {
+            FileCommand::ReadOtherwise => self.editor.path().is_none() && self.settings.last_is_minirt(),
             FileCommand::Revert => self.editor.path().is_some(),
             FileCommand::New
             | FileCommand::Open

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use catoptric_exchange::{Dialect, ForeignFormat, ImportOptions};
 use catoptric_platform::files;
 use catoptric_tracer::raster::MethodKind;
 use egui_tiles::Tree;
@@ -33,6 +34,8 @@ pub struct Settings {
     pub recent: Vec<PathBuf>,
     /// The scene that was open when the studio was left.
     pub last: Option<LastScene>,
+    /// How scenes of miniRT programs are read: [words](Dialect::WORDS) with commas between them.
+    pub minirt_dialect: String,
     /// Whether the hint of the first start has been dismissed.
     pub is_hint_dismissed: bool,
     /// Whether the ground grid is drawn.
@@ -76,6 +79,7 @@ impl Default for Settings {
             theme: Theme::default(),
             recent: Vec::new(),
             last: None,
+            minirt_dialect: String::new(),
             is_hint_dismissed: false,
             shows_grid: true,
             shows_handles: true,
@@ -134,6 +138,22 @@ impl Settings {
         }
         let text = serde_json::to_string_pretty(self)?;
         files::write_bytes(path, text.as_bytes()).map_err(std::io::Error::other)
+    }
+
+    /// How scenes of other ray tracers are read at first: exactly.
+    pub(crate) fn import_options(&self) -> ImportOptions {
+        ImportOptions { dialect: self.dialect(), ..ImportOptions::default() }
+    }
+
+    /// How scenes of miniRT programs are read.
+    pub(crate) fn dialect(&self) -> Dialect {
+        self.minirt_dialect.parse().unwrap_or_default()
+    }
+
+    /// Whether the last scene was read from a miniRT program's file.
+    pub(crate) fn last_is_minirt(&self) -> bool {
+        let Some(LastScene::File(path)) = &self.last else { return false };
+        ForeignFormat::of_path(path) == Some(ForeignFormat::MiniRt)
     }
 
     /// Width over height of the pictures to be made.

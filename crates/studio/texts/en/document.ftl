@@ -104,6 +104,21 @@ read-more-errors = { $number ->
    *[other] and { $number } more errors
 }
 open-approximately = Open approximately
+dialect-title = Read otherwise
+dialect-text = miniRT programs differ. Mark what the one of { $name } does; scenes opened later are read so, too.
+dialect-read = Read
+dialect-radius = Radius, not diameter
+    .tip = Spheres, cylinders and cones are given by their radius.
+dialect-base = Cylinders stand on their position
+    .tip = The position of a cylinder is the center of its base, not of the cylinder.
+dialect-cone-base = Cones stand on their position
+    .tip = The position of a cone is the center of its base, and its axis points to the apex.
+dialect-vertical-fov = Vertical angle of view
+    .tip = The angle of the camera is the vertical one.
+dialect-left-handed = Left-handed axes
+    .tip = Looking along +z with y up, x points to the right. Marked wrongly, the picture is mirrored.
+dialect-added-reflection = Reflections are added
+    .tip = What a mirror reflects is added to its own light, which stays undiminished.
 read-other = { $path } cannot be read: { $reason }
 
 # What cannot be saved

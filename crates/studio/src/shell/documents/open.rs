@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::sync::Arc;
 
-use catoptric_editor::RefusedChange;
+use catoptric_editor::{Action, RefusedChange};
+use catoptric_exchange::{ForeignFormat, ImportOptions};
 use catoptric_store::path_from;
 use egui::Context;
 
@@ -20,6 +21,7 @@ use crate::shell::studio::documents::{NextDocument, OpenPurpose, OpenTask};
 use crate::shell::studio::{Studio, file_prompt};
 use crate::state::images::ImageUse;
 use crate::state::refusal;
+use crate::state::settings::LastScene;
 
 /// Begins to read the file at `path`, to open it instead of the document. Only a file that can be opened leads to the
 /// question what becomes of changes.
@@ -58,7 +60,8 @@ fn read(context: &Context, studio: &mut Studio, path: &Path, purpose: OpenPurpos
     let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
     let read = path.clone();
     let is_approximate = matches!(purpose, OpenPurpose::Open { is_approximate: true });
-    match Job::start(context, "open", move || disk::read(&read, is_approximate)) {
+    let options = ImportOptions { is_approximate, ..studio.settings.import_options() };
+    match Job::start(context, "open", move || disk::read(&read, options)) {
         // A file that was being read is no longer wanted.
         Ok(job) => studio.documents.reading = Some(OpenTask { job, path, purpose }),
         Err(error) => failed(studio, &path, &ReadFailure::Other(error.to_string())),
@@ -78,6 +81,9 @@ pub(super) fn poll(context: &Context, studio: &mut Studio) {
     };
     match (result, reading.purpose) {
         (Err(failure), _) => failed(studio, &reading.path, &failure),
+        (Ok(opened), OpenPurpose::Open { .. }) if is_untouched_import(studio, &opened.path) => {
+            super::show_opened(studio, opened);
+        }
         (Ok(opened), OpenPurpose::Open { .. }) => {
             close_guard::replace(context, studio, NextDocument::Show(Rc::new(opened)));
         }
@@ -98,6 +104,14 @@ pub(super) fn poll(context: &Context, studio: &mut Studio) {
         }
         (Ok(_), OpenPurpose::Revert(_) | OpenPurpose::Reload(_)) => {}
     }
+}
+
+/// Whether the document is what was read from this file of another ray tracer, without any change: reading it again loses
+/// nothing.
+fn is_untouched_import(studio: &Studio, path: &Path) -> bool {
+    let is_last = || matches!(&studio.settings.last, Some(LastScene::File(last)) if last == path);
+    let is_changed = || [Action::Undo, Action::Redo].iter().any(|action| studio.editor.can(action));
+    studio.editor.path().is_none() && ForeignFormat::of_path(path).is_some() && is_last() && !is_changed()
 }
 
 /// Tells that the document is as its file is, with the message `done`, or why it cannot be.

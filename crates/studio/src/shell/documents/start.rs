@@ -64,7 +64,7 @@ fn show_file(context: &Context, studio: &mut Studio, path: &Path, is_last: bool)
             studio.settings.last = Some(LastScene::File(path.clone()));
             open::begin(context, studio, &path);
         }
-        _ => match disk::read(&path, false) {
+        _ => match disk::read(&path, studio.settings.import_options()) {
             Ok(opened) => show_opened(studio, opened),
             Err(failure) => {
                 show_named(studio, FIRST);

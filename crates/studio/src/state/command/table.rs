@@ -75,6 +75,7 @@ pub(super) static ROWS: &[CommandRow] = rows! {
         "file.examples": File(FileCommand::Examples) => "command-examples", ICON_PHOTO_LIBRARY, ctrl(Key::E);
         "file.save": File(FileCommand::Save) => "command-save", ICON_SAVE, ctrl(Key::S);
         "file.save-as": File(FileCommand::SaveAs) => "command-save-as", ICON_SAVE_AS, ctrl_shift(Key::S);
+        "file.read-otherwise": File(FileCommand::ReadOtherwise) => "command-read-otherwise", ICON_TRANSLATE;
         "file.revert": File(FileCommand::Revert) => "command-revert", ICON_SETTINGS_BACKUP_RESTORE;
         "file.copy-link": File(FileCommand::CopyLink) => "command-copy-link", ICON_LINK;
         "picture.render": Picture(PictureCommand::Render) => "command-render", ICON_PHOTO_CAMERA, ctrl(Key::R), plain(Key::F12);

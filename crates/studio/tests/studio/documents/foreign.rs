@@ -1,5 +1,6 @@
 //! Scenes of other ray tracers.
 
+use catoptric_editor::Action;
 use catoptric_studio::FileCommand;
 use egui_kittest::kittest::NodeT as _;
 
@@ -61,5 +62,48 @@ fn what_cannot_be_taken_over_exactly_is_opened_approximately_when_asked() {
     run(&mut harness, FileCommand::OpenFile(path));
     wait_for(&mut harness, "miniRT");
     assert!(!has(&harness, "Open approximately"));
+    assert_eq!(harness.state().texts().missing(), Vec::<String>::new());
+}
+
+#[test]
+fn a_minirt_scene_is_read_otherwise_when_asked() {
+    let host = TestHost::new();
+    let (mut harness, own) = with_file(&host, SCENE);
+    let path = host.path("ball.rt");
+    std::fs::write(&path, MINIRT).unwrap();
+    let radius = |studio: &Studio| studio.editor().scene().bodies[0].shape.number("radius");
+    run(&mut harness, FileCommand::OpenFile(path.clone()));
+    wait_until(&mut harness, "the scene is open", |studio| title(studio) == "ball");
+    assert_eq!(radius(harness.state()), Some(0.5));
+    run(&mut harness, FileCommand::ReadOtherwise);
+    wait_for(&mut harness, "Read otherwise");
+    harness.get_by_label("Radius, not diameter").click();
+    press(&mut harness, "Read");
+    // Nothing was changed, so nothing is asked.
+    wait_until(&mut harness, "it is read again", |studio| radius(studio) == Some(1.0));
+    // The program writes all its scenes so.
+    std::fs::write(host.path("other.rt"), MINIRT).unwrap();
+    run(&mut harness, FileCommand::OpenFile(host.path("other.rt")));
+    let discard = harness.state().texts().get("do-not-save").to_owned();
+    wait_for(&mut harness, &discard);
+    press(&mut harness, &discard);
+    wait_until(&mut harness, "another scene", |studio| title(studio) == "other");
+    assert_eq!(radius(harness.state()), Some(1.0));
+    // A change is not lost without a question.
+    run(&mut harness, Action::SelectAll);
+    run(&mut harness, Action::Delete);
+    run(&mut harness, FileCommand::ReadOtherwise);
+    wait_for(&mut harness, "Read otherwise");
+    harness.get_by_label("Radius, not diameter").click();
+    press(&mut harness, "Read");
+    wait_for(&mut harness, &discard);
+    press(&mut harness, &discard);
+    wait_until(&mut harness, "as at first", |studio| {
+        studio.editor().scene().bodies.len() == 1 && radius(studio) == Some(0.5)
+    });
+    run(&mut harness, FileCommand::OpenFile(own));
+    wait_for(&mut harness, &discard);
+    press(&mut harness, &discard);
+    wait_until(&mut harness, "the own file", |studio| title(studio) == "a.toml");
     assert_eq!(harness.state().texts().missing(), Vec::<String>::new());
 }
