@@ -10,6 +10,8 @@ pub(super) struct SceneFacts {
     pub(super) has_highlights: bool,
     pub(super) reflects: bool,
     pub(super) transmits: bool,
+    /// Whether a body weighs reflection and refraction by the angle.
+    pub(super) is_weighed: bool,
     /// Whether a body is scaled unevenly.
     pub(super) is_scaled: bool,
     pub(super) has_patterns: bool,
@@ -39,6 +41,7 @@ impl SceneFacts {
                         facts.has_highlights |= phong.specular > 0.0;
                         facts.reflects |= phong.reflection() > 0.0;
                         facts.transmits |= phong.transmission > 0.0;
+                        facts.is_weighed |= phong.weighs_by_angle() && phong.reflection() > 0.0;
                     }
                     Material::Matte(_) => {}
                     _ => {

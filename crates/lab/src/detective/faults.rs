@@ -31,6 +31,8 @@ pub enum Fault {
     NoRefraction,
     /// Clear bodies are opaque, in their shadows, too.
     OpaqueBodies,
+    /// Reflection and refraction are not weighed by the angle, though they should be.
+    UnweighedBodies,
     /// Rays are followed for so many generations only.
     Generations(u8),
     /// Rays are followed for more generations.
@@ -69,7 +71,7 @@ impl Fault {
     /// The most generations of [`Self::Generations`].
     const MOST_GENERATIONS: u8 = 8;
 
-    const PLAIN: [Self; 26] = [
+    const PLAIN: [Self; 27] = [
         Self::NoShadows,
         Self::NoHighlight,
         Self::NoReflection,
@@ -79,6 +81,7 @@ impl Fault {
         Self::OpaqueShadows,
         Self::ClearShadows,
         Self::OpaqueBodies,
+        Self::UnweighedBodies,
         Self::ClampedRays,
         Self::ClampedLocal,
         Self::ClampedLamps,
@@ -127,6 +130,7 @@ impl Fault {
             Self::OpaqueShadows | Self::ClearShadows | Self::NoRefraction | Self::OpaqueBodies => {
                 facts.transmits
             }
+            Self::UnweighedBodies => facts.is_weighed,
             Self::NoReflection | Self::BlendedReflection | Self::AddedReflection => facts.reflects,
             Self::ScaledNormals | Self::UnscaledNormals => facts.is_scaled,
             Self::FirstLightOnly | Self::ClampedLamps => scene.lights.len() > 1,
@@ -155,6 +159,7 @@ impl Fault {
             Self::ClampedLocal | Self::ClampedRays | Self::ClampedLamps => 7,
             Self::ScaledNormals | Self::UnscaledNormals => 8,
             Self::NoFalloff | Self::LinearFalloff | Self::SquareFalloff => 9,
+            Self::UnweighedBodies => 12,
             Self::FirstLightOnly => 10,
             Self::WhiteLights | Self::FullLights => 11,
         }
@@ -175,6 +180,7 @@ impl Fault {
             Self::AddedReflection => "reflection-added",
             Self::NoRefraction => "no-refraction",
             Self::OpaqueBodies => "clear-bodies-opaque",
+            Self::UnweighedBodies => "clear-bodies-not-weighed",
             Self::Generations(_) => "depth-too-small",
             Self::MoreGenerations => "depth-too-large",
             Self::NoAmbient => "no-ambient",

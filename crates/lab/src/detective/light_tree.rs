@@ -26,6 +26,8 @@ struct TreeNode {
     generation: u32,
     /// The coefficient that its parent gave it, times what media on its way leave.
     coefficient: Vec3,
+    /// The same without weights by the angle.
+    unweighed: Vec3,
     /// The local light where it is not known in terms: of surroundings, and of surfaces that are not Phong's.
     fixed: Vec3,
     surface: Option<PhongPoint>,
@@ -68,7 +70,8 @@ impl LightTrees {
     /// Adds the tree of a place.
     pub(super) fn push(&mut self, scene: &Scene, records: &[RayRecord]) {
         for record in records {
-            let node = self.node(scene, record);
+            let parent = record.parent.and_then(|parent| records.get(parent));
+            let node = self.node(scene, record, parent);
             self.nodes.push(node);
         }
         self.ends.push(self.nodes.len() as u32);
@@ -85,14 +88,8 @@ impl LightTrees {
         self.ends.extend(others.ends.iter().map(|end| end + nodes));
     }
 
-    fn node(&mut self, scene: &Scene, record: &RayRecord) -> TreeNode {
-        let body = record.hit.map(|hit| hit.body);
-        let phong = body
-            .and_then(|body| scene.bodies.get(body))
-            // Parts may have materials of their own.
-            .filter(|body| !body.shape.is_compound())
-            .and_then(|body| scene.material(&body.material))
-            .and_then(Material::as_phong);
+    fn node(&mut self, scene: &Scene, record: &RayRecord, parent: Option<&RayRecord>) -> TreeNode {
+        let (body, phong) = (record.hit.map(|hit| hit.body), phong_of(scene, record));
         let surface = match (&record.answer, phong) {
             (Some(answer), Some(phong)) => self.surface(scene, record, answer, phong),
             _ => None,
@@ -102,6 +99,7 @@ impl LightTrees {
             kind: record.kind,
             generation: record.generation,
             coefficient: record.coefficient * record.through,
+            unweighed: unweighed(record, parent.and_then(|parent| phong_of(scene, parent))) * record.through,
             fixed: if surface.is_some() { Vec3::ZERO } else { record.local },
             surface,
             body,
@@ -117,18 +115,16 @@ impl LightTrees {
     ) -> Option<PhongPoint> {
         let hit = record.hit?;
         let first = self.lights.len() as u32;
-        self.lights.extend(answer.lights.iter().map(|term| {
-            LightSample {
-                direction: term.direction,
-                distance: term.distance,
-                is_above: term.cosine > 0.0,
-                passed: term.shadow.as_ref().map_or(Vec3::ZERO, |shadow| shadow.passed),
-                is_blocked: term
-                    .shadow
-                    .as_ref()
-                    .is_none_or(|shadow| shadow.crossings.iter().any(|crossing| crossing.filter.is_none())),
-                light: term.light,
-            }
+        self.lights.extend(answer.lights.iter().map(|term| LightSample {
+            direction: term.direction,
+            distance: term.distance,
+            is_above: term.cosine > 0.0,
+            passed: term.shadow.as_ref().map_or(Vec3::ZERO, |shadow| shadow.passed),
+            is_blocked:
+                term.shadow.as_ref().is_none_or(|shadow| {
+                    shadow.crossings.iter().any(|crossing| is_opaque(scene, crossing.body))
+                }),
+            light: term.light,
         }));
         Some(PhongPoint {
             color: answer.color,
@@ -181,7 +177,7 @@ impl LightTrees {
             if law.clamps_rays {
                 light = light.min(Vec3::ONE);
             }
-            let light = node.coefficient * light;
+            let light = if law.leaves_unweighed { node.unweighed } else { node.coefficient } * light;
             match sums.get_mut(node.parent as usize) {
                 Some(sum) => *sum += light,
                 None => return light.to_array(),
@@ -193,6 +189,31 @@ impl LightTrees {
     fn lights_of(&self, point: &PhongPoint) -> &[LightSample] {
         self.lights.get(point.lights.start as usize..point.lights.end as usize).unwrap_or_default()
     }
+}
+
+/// The material of what a ray met, if it is Phong's.
+fn phong_of<'s>(scene: &'s Scene, record: &RayRecord) -> Option<&'s Phong> {
+    let body = scene.bodies.get(record.hit?.body)?;
+    // Parts may have materials of their own.
+    let choice = (!body.shape.is_compound()).then_some(&body.material)?;
+    scene.material(choice).and_then(Material::as_phong)
+}
+
+/// The coefficient of a ray that grows from this material, whatever the angle.
+fn unweighed(record: &RayRecord, from: Option<&Phong>) -> Vec3 {
+    match (from.filter(|phong| phong.weighs_by_angle()), record.kind) {
+        (Some(phong), RayKind::Reflected) => Vec3::splat(phong.reflection() as f32),
+        (Some(phong), RayKind::Refracted) => {
+            phong.transmission as f32 * Vec3::from(phong.tint.to_array().map(|part| part as f32))
+        }
+        _ => record.coefficient,
+    }
+}
+
+/// Whether no ray passes any part of a body.
+fn is_opaque(scene: &Scene, body: usize) -> bool {
+    let passes = |choice| scene.material(choice).is_some_and(|material| material.lets_through().most > 0.0);
+    !scene.bodies.get(body).is_some_and(|body| body.materials().any(passes))
 }
 
 /// The unit normals that wrong rules give a point of a body, on the side of the right one.
@@ -225,6 +246,7 @@ pub(super) struct LightLaw<'a> {
     mixing: Option<Fault>,
     no_reflection: bool,
     no_refraction: bool,
+    leaves_unweighed: bool,
     clamps_rays: bool,
     clamps_local: bool,
     clamps_lamps: bool,
@@ -263,6 +285,7 @@ impl<'a> LightLaw<'a> {
             mixing: one_of(&[Fault::BlendedReflection, Fault::AddedReflection]),
             no_reflection: has(Fault::NoReflection),
             no_refraction: has(Fault::NoRefraction) || has(Fault::OpaqueBodies),
+            leaves_unweighed: has(Fault::UnweighedBodies),
             clamps_rays: has(Fault::ClampedRays),
             clamps_local: has(Fault::ClampedLocal),
             clamps_lamps: has(Fault::ClampedLamps),

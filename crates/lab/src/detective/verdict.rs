@@ -417,6 +417,10 @@ fn fault_in_words(fault: Fault) -> Words {
     match fault {
         Fault::NoShadows => ["no shadows", "нет теней"],
         Fault::OpaqueShadows => ["clear bodies throw full shadows", "прозрачные тела бросают полные тени"],
+        Fault::UnweighedBodies => [
+            "reflection and refraction are not weighed by Schlick's formula",
+            "отражение и преломление не взвешены по формуле Шлика",
+        ],
         Fault::ClearShadows => ["clear bodies throw no shadows", "прозрачные тела не бросают теней"],
         Fault::NoHighlight => ["no specular highlights", "нет бликов"],
         Fault::HighlightInShadow => ["specular highlights are seen in shadows, too", "блики видны и в тени"],

@@ -9,7 +9,7 @@ use catoptric_lab::detective::{
 };
 use catoptric_lab::report::Language;
 use catoptric_picture::{Picture, srgb};
-use catoptric_scene::{Material, MaterialChoice, Scene};
+use catoptric_scene::{FresnelTerm, Material, MaterialChoice, Scene};
 use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, render};
 use faulty::{Faults, Faulty};
 use rayon::prelude::*;
@@ -367,6 +367,23 @@ fn right_pictures_raise_no_alarm() {
             }
         }
     }
+}
+
+/// A scene that weighs clear bodies by the angle, and a picture that does not.
+#[test]
+fn missing_weights_of_clear_bodies_are_named() {
+    let constant = &scenes::scenes()[1];
+    let mut weighed = constant.clone();
+    each_phong(&mut weighed, |phong| phong.fresnel = FresnelTerm::Schlick);
+    assert_ne!(&weighed, constant);
+    let detective = Detective::new(&weighed, settings()).unwrap();
+    let right = made_by_exact(&weighed, &[]).unwrap();
+    let verdict = detective.check(&right.observed(), &RenderControl::default()).unwrap();
+    assert!(verdict.is_right(0.001), "{}", verdict.sentence(&weighed, Language::English));
+    let picture = made_by_exact(constant, &[]).unwrap();
+    let verdict = detective.check(&picture.observed(), &RenderControl::default()).unwrap();
+    assert_eq!(verdict.to_json(&weighed, 0.01)["mistakes"][0]["key"], "clear-bodies-not-weighed");
+    assert!(verdict.sentence(&weighed, Language::English).contains("Schlick"));
 }
 
 #[test]
