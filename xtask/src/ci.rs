@@ -120,12 +120,12 @@ fn browser() -> Result<Option<String>> {
 }
 
 /// Whether the standard library for a system is installed.
-fn has_library(target: &str) -> Result<bool> {
+pub(crate) fn has_library(target: &str) -> Result<bool> {
     let library = output(&mut command("rustc", &["--print", "target-libdir", "--target", target]))?;
     Ok(Path::new(library.trim()).exists())
 }
 
-fn library_advice(target: &str) -> String {
+pub(crate) fn library_advice(target: &str) -> String {
     format!("its standard library is not installed (rustup target add {target})")
 }
 

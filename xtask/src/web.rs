@@ -7,12 +7,13 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use anyhow::{Context as _, Result, bail};
+use anyhow::{Context as _, Result, bail, ensure};
 use brotli::enc::BrotliEncoderParams;
 use flate2::Compression;
 use flate2::write::GzEncoder;
 use wasm_bindgen_cli_support::Bindgen;
 
+use crate::ci::{has_library, library_advice};
 use xtask::root;
 use xtask::shell::{self, command, exists, output};
 
@@ -133,12 +134,14 @@ fn make(is_small: bool) -> Result<()> {
     }
     fs::create_dir_all(&folder)?;
     copy_page(&folder)?;
-    let no_threads = why_no_threads()?;
-    if let Some(reason) = &no_threads {
+    let no_source = why_no_source()?;
+    let has_library = has_library(TARGET)?;
+    if let Some(reason) = &no_source {
+        ensure!(has_library, "{TARGET}: {}", library_advice(TARGET));
         println!("skipped: several threads: {reason}");
     }
-    for flavor in FLAVORS.iter().filter(|flavor| !flavor.builds_std || no_threads.is_none()) {
-        build(flavor, &folder, is_small)?;
+    for flavor in FLAVORS.iter().filter(|flavor| !flavor.builds_std || no_source.is_none()) {
+        build(flavor, &folder, flavor.builds_std || !has_library, is_small)?;
     }
     let told = FLAVORS.map(|flavor| {
         let bytes = fs::metadata(program(flavor, &folder)).map(|found| found.len());
@@ -155,15 +158,15 @@ fn make(is_small: bool) -> Result<()> {
     Ok(())
 }
 
-/// Why the standard library cannot be built with threads, if so.
-fn why_no_threads() -> Result<Option<String>> {
+/// Why the standard library cannot be built, if so: with threads, it must be.
+fn why_no_source() -> Result<Option<String>> {
     let sysroot = output(&mut command("rustc", &["--print", "sysroot"]))?;
     let source = Path::new(sysroot.trim()).join("lib/rustlib/src/rust/library/std");
     let advice = "the source of the standard library is not there (rustup component add rust-src)";
     Ok((!source.exists()).then(|| advice.to_owned()))
 }
 
-fn build(flavor: &Flavor, folder: &Path, is_small: bool) -> Result<()> {
+fn build(flavor: &Flavor, folder: &Path, builds_std: bool, is_small: bool) -> Result<()> {
     println!("== {}", flavor.folder);
     // Each has a folder of its own: cargo would build everything anew when the flags change.
     let target = target_folder()?.join("web-build").join(flavor.folder);
@@ -173,8 +176,11 @@ fn build(flavor: &Flavor, folder: &Path, is_small: bool) -> Result<()> {
     let links = flavor.link_arguments.iter().map(|argument| format!(" -Clink-arg={argument}"));
     cargo.env("RUSTFLAGS", format!("-Ctarget-feature={}{}", flavor.features, links.collect::<String>()));
     if flavor.builds_std {
-        // A stable compiler builds its own library with these features only if it is told that it may.
-        cargo.args(["--features", "threads", "-Z", "build-std=std,panic_abort"]).env("RUSTC_BOOTSTRAP", "1");
+        cargo.args(["--features", "threads"]);
+    }
+    if builds_std {
+        // A stable compiler builds its own library only if it is told that it may.
+        cargo.args(["-Z", "build-std=std,panic_abort"]).env("RUSTC_BOOTSTRAP", "1");
     }
     shell::run(&mut cargo)?;
     let program = target.join(TARGET).join("web/catoptric_web.wasm");
