@@ -5,6 +5,7 @@ use glam::{DAffine3, DVec3};
 use crate::compound::{
     BodyPart, BodyShape, Form, Instance, ParametricShape, box_corners, each_part_mut, part_materials,
 };
+use crate::keyed::keyed;
 use crate::material::MaterialChoice;
 use crate::placement::Placement;
 use crate::shape::Shape;
@@ -47,27 +48,7 @@ pub enum Shadow {
     Full,
 }
 
-impl Shadow {
-    /// All of them, in the order in which to offer them.
-    pub const ALL: [Self; 3] = [Self::Filtered, Self::None, Self::Full];
-
-    /// Their words.
-    pub(crate) const KEYS: &[&str] = &[Self::Filtered.key(), Self::None.key(), Self::Full.key()];
-
-    /// The word for it in scene files.
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::Filtered => "filtered",
-            Self::None => "none",
-            Self::Full => "full",
-        }
-    }
-
-    /// The one of this word.
-    pub fn of_key(key: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|shadow| shadow.key() == key)
-    }
-}
+keyed!(Shadow { Filtered = "filtered", None = "none", Full = "full" });
 
 /// The most parts whose outlines are drawn.
 const MOST_OUTLINES: usize = 1024;

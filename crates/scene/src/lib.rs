@@ -10,6 +10,7 @@ pub mod format;
 mod frame;
 mod image;
 mod instances;
+mod keyed;
 mod language;
 mod light;
 mod list;

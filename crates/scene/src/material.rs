@@ -13,6 +13,7 @@ mod thin_dielectric;
 use catoptric_optics::Dispersion;
 
 use crate::color::Color;
+use crate::keyed::keyed;
 pub use crate::material::coated::Coated;
 pub use crate::material::conductor::{Conductor, MetalOptics};
 pub(crate) use crate::material::conductor::{DEFAULT_METAL, METAL_NAMES};
@@ -64,36 +65,15 @@ pub enum Model {
     ThinDielectric,
 }
 
-impl Model {
-    /// All, in the order of the format.
-    pub const ALL: [Self; 7] = [
-        Self::Phong,
-        Self::Dielectric,
-        Self::Conductor,
-        Self::Mirror,
-        Self::Matte,
-        Self::Coated,
-        Self::ThinDielectric,
-    ];
-
-    /// The word in scene files.
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::Phong => "phong",
-            Self::Dielectric => "dielectric",
-            Self::Conductor => "conductor",
-            Self::Mirror => "mirror",
-            Self::Matte => "matte",
-            Self::Coated => "coated",
-            Self::ThinDielectric => "thin-dielectric",
-        }
-    }
-
-    /// The model of this word.
-    pub fn of_key(key: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|model| model.key() == key)
-    }
-}
+keyed!(Model {
+    Phong = "phong",
+    Dielectric = "dielectric",
+    Conductor = "conductor",
+    Mirror = "mirror",
+    Matte = "matte",
+    Coated = "coated",
+    ThinDielectric = "thin-dielectric",
+});
 
 impl Material {
     /// The model.

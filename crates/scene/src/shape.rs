@@ -12,6 +12,7 @@ mod visible_side;
 
 use glam::DVec3;
 
+use crate::keyed::keyed;
 use crate::shape::cuboid::Cuboid;
 use crate::shape::frustum::Frustum;
 use crate::shape::paraboloid::Paraboloid;
@@ -358,34 +359,34 @@ pub enum ShapeKind {
     Group,
 }
 
-impl ShapeKind {
-    /// All shapes: those of one piece, those that numbers make of parts, then those that are given their parts.
-    pub const ALL: [Self; 23] = [
-        Self::Sphere,
-        Self::Cube,
-        Self::Cylinder,
-        Self::Cone,
-        Self::Paraboloid,
-        Self::Plane,
-        Self::Lens,
-        Self::MirrorDish,
-        Self::Tube,
-        Self::Ring,
-        Self::Bowl,
-        Self::Prism,
-        Self::Wedge,
-        Self::OpenCylinder,
-        Self::OpenCone,
-        Self::Disc,
-        Self::Rectangle,
-        Self::Triangle,
-        Self::Union,
-        Self::Intersection,
-        Self::Difference,
-        Self::Surface,
-        Self::Group,
-    ];
+// Those of one piece, those that numbers make of parts, then those that are given their parts.
+keyed!(ShapeKind {
+    Sphere = "sphere",
+    Cube = "cube",
+    Cylinder = "cylinder",
+    Cone = "cone",
+    Paraboloid = "paraboloid",
+    Plane = "plane",
+    Lens = "lens",
+    MirrorDish = "mirror-dish",
+    Tube = "tube",
+    Ring = "ring",
+    Bowl = "bowl",
+    Prism = "prism",
+    Wedge = "wedge",
+    OpenCylinder = "open-cylinder",
+    OpenCone = "open-cone",
+    Disc = "disc",
+    Rectangle = "rectangle",
+    Triangle = "triangle",
+    Union = "union",
+    Intersection = "intersection",
+    Difference = "difference",
+    Surface = "surface",
+    Group = "group",
+});
 
+impl ShapeKind {
     /// The shapes of one piece, in the order in which to offer them.
     pub const SIMPLE: [Self; 6] =
         [Self::Sphere, Self::Cube, Self::Cylinder, Self::Cone, Self::Paraboloid, Self::Plane];
@@ -409,40 +410,6 @@ impl ShapeKind {
     /// Whether a body of this shape is given [parts](crate::Body::parts).
     pub const fn is_compound(self) -> bool {
         matches!(self, Self::Union | Self::Intersection | Self::Difference | Self::Surface | Self::Group)
-    }
-
-    /// The shape's name in scene files.
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::Sphere => "sphere",
-            Self::Cube => "cube",
-            Self::Cylinder => "cylinder",
-            Self::Cone => "cone",
-            Self::Paraboloid => "paraboloid",
-            Self::Plane => "plane",
-            Self::Lens => "lens",
-            Self::MirrorDish => "mirror-dish",
-            Self::Tube => "tube",
-            Self::Ring => "ring",
-            Self::Bowl => "bowl",
-            Self::Prism => "prism",
-            Self::Wedge => "wedge",
-            Self::OpenCylinder => "open-cylinder",
-            Self::OpenCone => "open-cone",
-            Self::Disc => "disc",
-            Self::Rectangle => "rectangle",
-            Self::Triangle => "triangle",
-            Self::Union => "union",
-            Self::Intersection => "intersection",
-            Self::Difference => "difference",
-            Self::Surface => "surface",
-            Self::Group => "group",
-        }
-    }
-
-    /// The shape of this name.
-    pub fn of_key(key: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|kind| kind.key() == key)
     }
 
     /// The shape in its default size; of what numbers make of parts, how these are joined.

@@ -203,7 +203,7 @@ impl<'t> SceneBuilder<'_, 't> {
         let mut parts = PartPositions::default();
         let built = self.part_of(&keys::BODY, table, &mut parts);
         let mut fields = Fields { text: self.text, spec: &keys::BODY, table, found: self.found };
-        let shadow = fields.choice("shadow").ok().flatten().and_then(Shadow::of_key).unwrap_or_default();
+        let shadow = fields.word("shadow", Shadow::of_key).unwrap_or_default();
         let [hidden, locked] = ["hidden", "locked"].map(|key| fields.flag(key).unwrap_or_default());
         let BodyPart { name, shape, placement, material, parts: own, parametric, instance } = built.part;
         let body = Body {

@@ -306,7 +306,7 @@ const INSTANCE_OF: KeySpec = KeySpec::new(
     "ior", "curvature_radius", "front_radius", "back_radius", "width", "length", "a", "b", "c", "visible_side", "base",
     "top", "parts",
 ]);
-const SHAPE: KeySpec = KeySpec::new("shape", Kind::Choice(&SHAPE_NAMES), "the shape of the body")
+const SHAPE: KeySpec = KeySpec::new("shape", Kind::Choice(ShapeKind::KEYS), "the shape of the body")
     .or(Default::Text(ShapeKind::Sphere.key()))
     .written();
 const SIDES: KeySpec = KeySpec::new(
@@ -494,14 +494,3 @@ const TOP: KeySpec = KeySpec::new(
 const fn parts(table: &'static TableSpec) -> KeySpec {
     KeySpec::new("parts", Kind::List(table), "what the body is joined of").only("shape", COMPOUND)
 }
-
-/// Words of the shapes.
-const SHAPE_NAMES: [&str; ShapeKind::ALL.len()] = {
-    let mut names = [""; ShapeKind::ALL.len()];
-    let mut at = 0;
-    while at < names.len() {
-        names[at] = ShapeKind::ALL[at].key();
-        at += 1;
-    }
-    names
-};

@@ -12,7 +12,7 @@ use crate::material::{
 
 /// Reads a material but for its pattern, which is a table of its own.
 pub(crate) fn read(fields: &mut Fields<'_, '_, '_>) -> Material {
-    let model = fields.choice("model").ok().flatten().and_then(Model::of_key).unwrap_or_default();
+    let model = fields.word("model", Model::of_key).unwrap_or_default();
     let material = match model {
         Model::Phong => read_phong(fields).into(),
         Model::Dielectric => read_dielectric(fields).into(),
@@ -52,7 +52,7 @@ fn read_phong(fields: &mut Fields<'_, '_, '_>) -> Phong {
         transmission: fields.number("transmission").unwrap_or(default.transmission),
         ior: fields.number("ior").unwrap_or(default.ior),
         tint: fields.color("tint").unwrap_or(default.tint),
-        fresnel: fields.choice("fresnel").ok().flatten().and_then(FresnelTerm::of_key).unwrap_or_default(),
+        fresnel: fields.word("fresnel", FresnelTerm::of_key).unwrap_or_default(),
     }
 }
 
@@ -87,7 +87,7 @@ fn read_dielectric(fields: &mut Fields<'_, '_, '_>) -> Dielectric {
     let default = Dielectric::DEFAULT;
     let ior = fields.number("ior").unwrap_or(RefractiveIndex::DEFAULT_IOR);
     let abbe = fields.number("abbe").unwrap_or(RefractiveIndex::DEFAULT_ABBE);
-    let substance = fields.choice("substance").ok().flatten().and_then(ClearSubstance::named);
+    let substance = fields.word("substance", ClearSubstance::named);
     Dielectric {
         index: substance.map_or(RefractiveIndex::Own { ior, abbe }, RefractiveIndex::Substance),
         dispersion: fields.flag("dispersion").unwrap_or(default.dispersion),
@@ -235,10 +235,7 @@ pub(crate) fn read_solid(kind: SolidKind, fields: &mut Fields<'_, '_, '_>) -> So
         kind,
         color: fields.color("color").unwrap_or(default.color),
         size: fields.number("size").unwrap_or(default.size),
-        space: match fields.choice("space") {
-            Ok(Some("body")) => PatternSpace::Body,
-            _ => default.space,
-        },
+        space: fields.word("space", PatternSpace::of_key).unwrap_or(default.space),
         position: fields.vector("position").unwrap_or(default.position),
         rotation_degrees: fields.vector("rotation").unwrap_or(default.rotation_degrees),
         scale: fields.number_or_vector("scale").unwrap_or(default.scale),

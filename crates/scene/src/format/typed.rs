@@ -122,6 +122,11 @@ impl<'b, 't> Fields<'_, 'b, 't> {
         }
     }
 
+    /// What one of the words of a choice stands for; `None` when none is given, or something else.
+    pub(crate) fn word<T>(&mut self, name: &str, of_word: impl FnOnce(&str) -> Option<T>) -> Option<T> {
+        self.choice(name).ok().flatten().and_then(of_word)
+    }
+
     /// One of the words of a choice; `Err` when something else is given.
     pub(crate) fn choice(&mut self, name: &str) -> Result<Option<&'static str>, ()> {
         let Some((_, key)) = self.spec.find(name) else { return Ok(None) };

@@ -3,6 +3,7 @@
 use catoptric_optics::fresnel::schlick;
 
 use crate::color::Color;
+use crate::keyed::keyed;
 use crate::material::{Pattern, Share, largest};
 
 /// The coefficients of
@@ -44,26 +45,7 @@ pub enum FresnelTerm {
     Schlick,
 }
 
-impl FresnelTerm {
-    /// All of them, in the order in which to offer them.
-    pub const ALL: [Self; 2] = [Self::Constant, Self::Schlick];
-
-    /// Their words.
-    pub(crate) const KEYS: &[&str] = &[Self::Constant.key(), Self::Schlick.key()];
-
-    /// The word for it in scene files.
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::Constant => "constant",
-            Self::Schlick => "schlick",
-        }
-    }
-
-    /// The one of this word.
-    pub fn of_key(key: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|term| term.key() == key)
-    }
-}
+keyed!(FresnelTerm { Constant = "constant", Schlick = "schlick" });
 
 impl Phong {
     pub(crate) const DEFAULT: Self = Self {

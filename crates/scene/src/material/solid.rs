@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use crate::color::Color;
+use crate::keyed::keyed;
 use crate::placement::{Anchor, Placement};
 
 /// A pattern of two colors that fills space (a solid texture: Peachey 1985), of which a surface shows what it cuts.
@@ -117,18 +118,7 @@ pub enum PatternSpace {
     Body,
 }
 
-impl PatternSpace {
-    /// Both, in the order of the format.
-    pub const ALL: [Self; 2] = [Self::World, Self::Body];
-
-    /// The word in scene files.
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::World => "world",
-            Self::Body => "body",
-        }
-    }
-}
+keyed!(PatternSpace { World = "world", Body = "body" });
 
 #[cfg(test)]
 mod tests {

@@ -1,5 +1,7 @@
 //! The sides of a surface without inside that rays meet.
 
+use crate::keyed::keyed;
+
 /// Which sides of a surface rays meet; by the others they pass as if nothing were there.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum VisibleSide {
@@ -12,27 +14,9 @@ pub enum VisibleSide {
     Inner,
 }
 
+keyed!(VisibleSide { Both = "both", Outer = "outer", Inner = "inner" });
+
 impl VisibleSide {
-    /// All of them, in the order in which to offer them.
-    pub const ALL: [Self; 3] = [Self::Both, Self::Outer, Self::Inner];
-
-    /// Their words.
-    pub(crate) const KEYS: &[&str] = &[Self::Both.key(), Self::Outer.key(), Self::Inner.key()];
-
-    /// The word for it in scene files.
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::Both => "both",
-            Self::Outer => "outer",
-            Self::Inner => "inner",
-        }
-    }
-
-    /// The one of this word.
-    pub fn of_key(key: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|side| side.key() == key)
-    }
-
     /// Whether a ray meets the surface that comes from its outer side, or from its inner one.
     ///
     /// ```

@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::{BrokenSize, Expansion, MARGIN, Parametric, SizeFault, cylinder, is_length, part, round_extent};
+use crate::keyed::keyed;
 use crate::shape::{ParaboloidDepth, Shape};
 
 /// A solid disc with a concave face that opens along +Y from its vertex at the origin; its back is flat.
@@ -46,23 +47,7 @@ pub enum DishDepth {
     CurvatureRadius(f64),
 }
 
-impl DishProfile {
-    /// The words of the profiles.
-    pub(crate) const KEYS: &[&str] = &[Self::Parabolic.key(), Self::Spherical.key()];
-
-    /// The profile's name in scene files.
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::Parabolic => "parabolic",
-            Self::Spherical => "spherical",
-        }
-    }
-
-    /// The profile of this name.
-    pub fn of_key(key: &str) -> Option<Self> {
-        [Self::Parabolic, Self::Spherical].into_iter().find(|profile| profile.key() == key)
-    }
-}
+keyed!(DishProfile { Parabolic = "parabolic", Spherical = "spherical" });
 
 impl Default for MirrorDish {
     fn default() -> Self {

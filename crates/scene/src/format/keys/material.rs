@@ -3,8 +3,8 @@
 use super::common::{LAYER, ROTATION, SCALE, amount, color, flag};
 use crate::format::spec::{Default, KeySpec, Kind, Limits, TableSpec};
 use crate::material::{
-    Attenuation, DEFAULT_METAL, Dielectric, FresnelTerm, METAL_NAMES, Model, Pattern, Phong, RefractiveIndex,
-    SUBSTANCE_NAMES, SolidTexture,
+    Attenuation, DEFAULT_METAL, Dielectric, FresnelTerm, METAL_NAMES, Model, Pattern, PatternSpace, Phong,
+    RefractiveIndex, SUBSTANCE_NAMES, SolidTexture,
 };
 
 /// `[materials.NAME]`, and the inline material of a body.
@@ -12,7 +12,7 @@ pub static MATERIAL: TableSpec = TableSpec {
     name: "a material",
     doc: "How a surface answers light",
     keys: &[
-        KeySpec::new("model", Kind::Choice(&MODEL_NAMES), "what the surface does with light")
+        KeySpec::new("model", Kind::Choice(Model::KEYS), "what the surface does with light")
             .or(Default::Text(Model::Phong.key())),
         KeySpec::new("color", Kind::Color(Limits::AMOUNT), "the color of the body")
             .or(color(Pattern::DEFAULT.color))
@@ -115,16 +115,6 @@ pub static MATERIAL: TableSpec = TableSpec {
     ],
 };
 
-/// Words of the models.
-const MODEL_NAMES: [&str; Model::ALL.len()] = {
-    let mut names = [""; Model::ALL.len()];
-    let mut at = 0;
-    while at < names.len() {
-        names[at] = Model::ALL[at].key();
-        at += 1;
-    }
-    names
-};
 const PHONG: &[&str] = &["phong"];
 const DIELECTRIC: &[&str] = &["dielectric"];
 const CONDUCTOR: &[&str] = &["conductor"];
@@ -163,7 +153,7 @@ pub static PATTERN: TableSpec = TableSpec {
             .written(),
         KeySpec::new(
             "space",
-            Kind::Choice(&["world", "body"]),
+            Kind::Choice(PatternSpace::KEYS),
             "what the cells are at rest in; those of a body move and turn with it",
         )
         .or(Default::Text(SolidTexture::DEFAULT.space.key())),
