@@ -118,7 +118,7 @@ fn parameters_and_numbers_are_offered_for_a_sweep() {
     assert_eq!(vary("s"), ["size", "samples", "search"]);
     assert_eq!(vary("bodies.ball.rad"), ["bodies.ball.radius="]);
     assert_eq!(vary("size,bodies.ball.position.z"), ["size,bodies.ball.position.z="]);
-    assert_eq!(vary("bodies.ball.sha"), ["bodies.ball.shape="]);
+    assert_eq!(vary("bodies.ball.sha"), ["bodies.ball.shape=", "bodies.ball.shadow="]);
     assert!(vary("bodies.ball.name").is_empty() && vary("size=1,2").is_empty() && vary("size=1").is_empty());
 }
 
