@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use catoptric_gpu::GpuPicture;
 use catoptric_platform::time::{Duration, Instant};
-use catoptric_scene::{Body, Camera, Color, Falloff, Light, Projection, Scene};
+use catoptric_scene::{Camera, Color, Falloff, Light, Projection, Scene};
 use catoptric_tracer::{RayCounts, RenderCamera, RenderScene, SceneEdit};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
@@ -311,25 +311,11 @@ fn changed_bodies(old: &Request, new: &Request) -> Option<Vec<usize>> {
         return Some(Vec::new());
     }
     let (before, after) = (&old.scene.bodies, &new.scene.bodies);
-    let is_changed = |&index: &usize| before.get(index).map(traced_body) != after.get(index).map(traced_body);
+    let is_changed = |&index: &usize| {
+        let both = before.get(index).zip(after.get(index));
+        !both.is_some_and(|(old, new)| old.looks_like(new))
+    };
     (before.len() == after.len()).then(|| before.unshared(after).par_bridge().filter(is_changed).collect())
-}
-
-/// What a picture depends on.
-fn traced_body(body: &Body) -> impl PartialEq {
-    let Body {
-        name: _,
-        locked: _,
-        shape,
-        placement,
-        material,
-        hidden,
-        shadow,
-        parts,
-        parametric: _,
-        instance,
-    } = body;
-    (shape, placement, material, (hidden, shadow), parts, instance)
 }
 
 /// What a picture depends on.

@@ -69,6 +69,30 @@ impl Body {
         body
     }
 
+    /// Whether no picture can tell it from the other: they differ in their names at most, or are both hidden.
+    pub fn looks_like(&self, other: &Self) -> bool {
+        // All fields by name, so that none is forgotten.
+        let Self {
+            name: _,
+            locked: _,
+            shape,
+            placement,
+            material,
+            hidden,
+            shadow,
+            parts,
+            parametric: _,
+            instance,
+        } = self;
+        let is_same = other.shape == *shape
+            && other.placement == *placement
+            && other.material == *material
+            && other.shadow == *shadow
+            && other.parts == *parts
+            && other.instance == *instance;
+        (*hidden && other.hidden) || (is_same && other.hidden == *hidden)
+    }
+
     /// The shape as files and inspectors say it.
     pub fn body_shape(&self) -> BodyShape {
         self.form().body_shape()

@@ -26,7 +26,7 @@ struct TreeNode {
     generation: u32,
     /// The coefficient that its parent gave it, times what media on its way leave.
     coefficient: Vec3,
-    /// The same without weights by the angle.
+    /// What that product would be if no coefficient depended on the angle.
     unweighed: Vec3,
     /// The local light where it is not known in terms: of surroundings, and of surfaces that are not Phong's.
     fixed: Vec3,

@@ -61,7 +61,7 @@ impl RenderScene {
         let mut cost = bvh.cost();
         for &index in changed {
             let (old, new) = (before.bodies.get(index)?, after.bodies.get(index)?);
-            if is_alike(old, new) {
+            if old.looks_like(new) {
                 continue;
             }
             let is_plane = |body: &Body| body.shape == Shape::Plane;
@@ -216,29 +216,6 @@ impl BodyEdit {
         let row = |solid| SolidNode::row(solid, &CanonicalBody::of(source), space, false);
         Self { place, body, material, solids: solid.map(row).unwrap_or_default(), path }
     }
-}
-
-/// Whether two bodies are the same to the tracer.
-fn is_alike(one: &Body, other: &Body) -> bool {
-    let Body {
-        name: _,
-        locked: _,
-        shape,
-        placement,
-        material,
-        hidden,
-        shadow,
-        parts,
-        parametric: _,
-        instance,
-    } = one;
-    let is_same = other.shape == *shape
-        && other.placement == *placement
-        && other.material == *material
-        && other.shadow == *shadow
-        && other.parts == *parts
-        && other.instance == *instance;
-    (*hidden && other.hidden) || (is_same && other.hidden == *hidden)
 }
 
 fn bounds_of(body: &Body, space: &RenderSpace) -> Option<Bounds> {
