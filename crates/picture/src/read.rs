@@ -9,7 +9,7 @@ mod layers;
 mod limits;
 mod transfer;
 
-use std::io::{self, BufRead, Cursor, Read, Seek, SeekFrom};
+use std::io::{self, BufReader, Cursor, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 
 use catoptric_platform::files;
@@ -164,6 +164,12 @@ pub fn decode(bytes: &[u8]) -> Result<Picture, DecodeError> {
     ReadOptions::default().decode(bytes)
 }
 
+/// The bytes of a file, wherever they are: decoders are large, and compiled once for all.
+type Source<'s> = BufReader<&'s mut dyn ReadSeek>;
+
+trait ReadSeek: Read + Seek {}
+impl<T: Read + Seek> ReadSeek for T {}
+
 impl ReadOptions {
     /// Reads a picture file into linear light; the content decides which format it is, not the name.
     ///
@@ -194,8 +200,8 @@ impl ReadOptions {
         let open = |source| ReadError::Open { path: path.to_owned(), source };
         let decoded = match files::status(path) {
             Ok(found) if found.is_file && path.as_os_str() != "-" => {
-                let (file, length) = files::open(path).map_err(open)?;
-                self.decode_from(file, length)
+                let (mut file, length) = files::open(path).map_err(open)?;
+                self.decode_from(&mut file, length)
             }
             Ok(found) if found.is_folder => return Err(ReadError::NotAFile { path: path.to_owned() }),
             // Formats are read back and forth, which a stream cannot.
@@ -209,11 +215,12 @@ impl ReadOptions {
     /// # Errors
     /// What is wrong with the bytes.
     pub fn decode(&self, bytes: &[u8]) -> Result<Picture, DecodeError> {
-        self.decode_from(Cursor::new(bytes), bytes.len() as u64)
+        self.decode_from(&mut Cursor::new(bytes), bytes.len() as u64)
     }
 
     /// Tells the formats apart and decodes; `length` is that of the whole file in bytes.
-    fn decode_from(&self, mut source: impl BufRead + Seek, length: u64) -> Result<Picture, DecodeError> {
+    fn decode_from(&self, bytes: &mut dyn ReadSeek, length: u64) -> Result<Picture, DecodeError> {
+        let mut source = BufReader::new(bytes);
         let mut start = Vec::new();
         source.by_ref().take(32).read_to_end(&mut start)?;
         source.seek(SeekFrom::Start(0))?;

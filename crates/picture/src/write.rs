@@ -100,15 +100,15 @@ mod tests {
         let is_full =
             |error| matches!(error, Err(EncodeError::Io(e)) if e.kind() == io::ErrorKind::StorageFull);
         for room in (0..png).step_by(7).chain([png - 1]) {
-            let written = encode_png::encode_png_to(full(room), &developed);
+            let written = encode_png::encode_png_to(&mut full(room), &developed);
             assert!(is_full(written), "PNG with room for {room} of {png} bytes");
         }
         for room in (0..exr).step_by(7).chain([exr - 1]) {
             assert!(
-                is_full(encode_exr::encode_exr_to(full(room), &picture)),
+                is_full(encode_exr::encode_exr_to(&mut full(room), &picture)),
                 "EXR with {room} of {exr} bytes"
             );
         }
-        assert!(encode_exr::encode_exr_to(full(exr), &picture).is_ok());
+        assert!(encode_exr::encode_exr_to(&mut full(exr), &picture).is_ok());
     }
 }

@@ -1,7 +1,6 @@
 //! EXR bytes to linear light.
 
 use std::collections::HashSet;
-use std::io::{Read, Seek};
 
 use exr::block::UncompressedBlock;
 use exr::block::chunk::{Chunk, CompressedBlock};
@@ -16,7 +15,7 @@ use exr::prelude::f16;
 use super::dwa::check_dwa;
 use super::layers::{ChannelIndices, Layer, choose};
 use super::limits::{DEFLATE, check_length, check_memory};
-use super::{DecodeError, ReadOptions};
+use super::{DecodeError, ReadOptions, Source};
 use crate::picture::Picture;
 
 /// The most bytes that DWA makes of one: its coefficients are run-length coded before they are deflated, so that two
@@ -30,7 +29,7 @@ const WORK_OF_DWA: u64 = 12;
 
 /// Decodes an EXR of `length` bytes. Sizes are checked before the decoder may allocate by them.
 pub(super) fn decode_exr(
-    source: impl Read + Seek,
+    source: Source<'_>,
     length: u64,
     options: &ReadOptions,
 ) -> Result<Picture, DecodeError> {

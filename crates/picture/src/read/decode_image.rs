@@ -1,7 +1,7 @@
 //! JPEG, Radiance HDR, WebP, TIFF, BMP and PPM to linear light, by the decoders of the `image` crate.
 
 use std::error::Error as _;
-use std::io::{BufRead, ErrorKind, Read, Seek, SeekFrom};
+use std::io::{ErrorKind, Read, Seek, SeekFrom};
 
 use image::codecs::bmp::BmpDecoder;
 use image::codecs::hdr::HdrDecoder;
@@ -14,7 +14,7 @@ use image::{ColorType, ImageDecoder, ImageError, Limits};
 
 use super::limits::{check_length, check_memory};
 use super::transfer::Transfer;
-use super::{DecodeError, ReadOptions};
+use super::{DecodeError, ReadOptions, Source};
 use crate::format::PictureFormat;
 use crate::picture::{Picture, SizeError};
 
@@ -28,7 +28,7 @@ const WORK: u64 = 4;
 
 /// Decodes a file of `length` bytes.
 pub(super) fn decode_image(
-    mut source: impl BufRead + Seek,
+    mut source: Source<'_>,
     length: u64,
     format: PictureFormat,
     options: &ReadOptions,
@@ -193,7 +193,7 @@ impl UprightMapping {
 ///
 /// Segments before the first scan have lengths and may hold thumbnails with ends of their own. In a scan, a byte 0xff
 /// of the data is followed by 0, so that the marker 0xffd9 can only be the end.
-fn check_end_of_jpeg(source: &mut (impl BufRead + Seek)) -> Result<(), DecodeError> {
+fn check_end_of_jpeg(source: &mut Source<'_>) -> Result<(), DecodeError> {
     let corrupt =
         |reason: &str| DecodeError::Corrupt { format: PictureFormat::Jpeg.name(), reason: reason.to_owned() };
     let early = || corrupt("the file ends too early");
@@ -220,7 +220,7 @@ fn check_end_of_jpeg(source: &mut (impl BufRead + Seek)) -> Result<(), DecodeErr
 }
 
 /// Checks that an uncompressed BMP is as long as its pixels.
-fn check_length_of_bmp(source: &mut (impl BufRead + Seek), length: u64) -> Result<(), DecodeError> {
+fn check_length_of_bmp(source: &mut Source<'_>, length: u64) -> Result<(), DecodeError> {
     let mut head = Vec::new();
     source.by_ref().take(34).read_to_end(&mut head)?;
     source.seek(SeekFrom::Start(0))?;

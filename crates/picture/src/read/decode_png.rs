@@ -1,15 +1,13 @@
 //! PNG bytes to linear light.
 
-use std::io::{BufRead, Seek};
-
 use super::limits::{DEFLATE, check_length};
 use super::transfer::Transfer;
-use super::{DecodeError, ReadOptions};
+use super::{DecodeError, ReadOptions, Source};
 use crate::picture::Picture;
 
 /// Decodes a PNG of `length` bytes.
 pub(super) fn decode_png(
-    source: impl BufRead + Seek,
+    source: Source<'_>,
     length: u64,
     options: &ReadOptions,
 ) -> Result<Picture, DecodeError> {

@@ -1,7 +1,8 @@
 //! EXR bytes of a picture's linear light.
 
-use std::io::{Cursor, Seek, Write};
+use std::io::Cursor;
 
+use catoptric_platform::files::Sink;
 use exr::block::chunk::{Chunk, CompressedBlock, CompressedScanLineBlock};
 use exr::block::writer::ChunksWriter;
 use exr::compression::Compression;
@@ -47,11 +48,11 @@ pub fn encode_exr_at(picture: &Picture, level: u32) -> Result<Vec<u8>, EncodeErr
 }
 
 /// Writes the bytes of [`encode_exr`]; the sink should be buffered.
-pub(crate) fn encode_exr_to(sink: impl Write + Seek, picture: &Picture) -> Result<(), EncodeError> {
+pub(crate) fn encode_exr_to(sink: &mut dyn Sink, picture: &Picture) -> Result<(), EncodeError> {
     write_at(sink, picture, LEVEL)
 }
 
-fn write_at(sink: impl Write + Seek, picture: &Picture, level: u32) -> Result<(), EncodeError> {
+fn write_at(sink: &mut dyn Sink, picture: &Picture, level: u32) -> Result<(), EncodeError> {
     let headers = std::iter::once(header(picture)).collect();
     let written = exr::block::write(sink, headers, true, |_, writer| {
         let batch = ROWS * BLOCKS_OF_THREAD * rayon::current_num_threads();

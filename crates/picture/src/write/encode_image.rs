@@ -2,8 +2,8 @@
 
 use std::borrow::Cow;
 use std::error::Error as _;
-use std::io::{Seek, Write};
 
+use catoptric_platform::files::Sink;
 use image::codecs::hdr::HdrEncoder;
 use image::codecs::jpeg::JpegEncoder;
 use image::codecs::pnm::{PnmEncoder, PnmSubtype, SampleEncoding};
@@ -17,28 +17,32 @@ use crate::format::PictureFormat;
 use crate::picture::Picture;
 
 /// Writes a JPEG of this quality, 1 to 100; colors have the resolution of lightness (4:4:4).
-pub(super) fn encode_jpeg_to(sink: impl Write, picture: &Developed, quality: u8) -> Result<(), EncodeError> {
+pub(super) fn encode_jpeg_to(
+    sink: &mut dyn Sink,
+    picture: &Developed,
+    quality: u8,
+) -> Result<(), EncodeError> {
     write_codes(JpegEncoder::new_with_quality(sink, quality), PictureFormat::Jpeg, picture)
 }
 
 /// Writes a WebP without loss.
-pub(super) fn encode_webp_to(sink: impl Write, picture: &Developed) -> Result<(), EncodeError> {
+pub(super) fn encode_webp_to(sink: &mut dyn Sink, picture: &Developed) -> Result<(), EncodeError> {
     write_codes(WebPEncoder::new_lossless(sink), PictureFormat::WebP, picture)
 }
 
 /// Writes a PPM, its codes as bytes (`P6`).
-pub(super) fn encode_ppm_to(sink: impl Write, picture: &Developed) -> Result<(), EncodeError> {
+pub(super) fn encode_ppm_to(sink: &mut dyn Sink, picture: &Developed) -> Result<(), EncodeError> {
     let encoder = PnmEncoder::new(sink).with_subtype(PnmSubtype::Pixmap(SampleEncoding::Binary));
     write_codes(encoder, PictureFormat::Ppm, picture)
 }
 
 /// Writes an uncompressed TIFF of 8 or 16 bits.
-pub(super) fn encode_tiff_codes_to(sink: impl Write + Seek, picture: &Developed) -> Result<(), EncodeError> {
+pub(super) fn encode_tiff_codes_to(sink: &mut dyn Sink, picture: &Developed) -> Result<(), EncodeError> {
     write_codes(TiffEncoder::new(sink), PictureFormat::Tiff, picture)
 }
 
 /// Writes an uncompressed TIFF of the linear light in 32-bit floats, bit by bit.
-pub(super) fn encode_tiff_light_to(sink: impl Write + Seek, picture: &Picture) -> Result<(), EncodeError> {
+pub(super) fn encode_tiff_light_to(sink: &mut dyn Sink, picture: &Picture) -> Result<(), EncodeError> {
     let bytes = bytemuck::cast_slice(picture.pixels());
     let (width, height) = (picture.width(), picture.height());
     let written = TiffEncoder::new(sink).write_image(bytes, width, height, ExtendedColorType::Rgb32F);
@@ -47,7 +51,7 @@ pub(super) fn encode_tiff_light_to(sink: impl Write + Seek, picture: &Picture) -
 
 /// Writes a Radiance HDR: the largest channel of a pixel with 8 bits, the others in its steps. Light below 0 and NaN
 /// become 0; what is beyond the range, which ends near that of single precision, its end.
-pub(super) fn encode_hdr_to(sink: impl Write, picture: &Picture) -> Result<(), EncodeError> {
+pub(super) fn encode_hdr_to(sink: &mut dyn Sink, picture: &Picture) -> Result<(), EncodeError> {
     let pixels = within_rgbe(picture.pixels());
     let bytes = bytemuck::cast_slice(&pixels);
     let (width, height) = (picture.width(), picture.height());

@@ -31,19 +31,19 @@ pub fn encode_png(picture: &Developed) -> Result<Vec<u8>, EncodeError> {
 }
 
 /// Writes the bytes of [`encode_png`].
-pub(crate) fn encode_png_to(sink: impl Write, picture: &Developed) -> Result<(), EncodeError> {
+pub(crate) fn encode_png_to(sink: &mut dyn Write, picture: &Developed) -> Result<(), EncodeError> {
     let mut sink = FailureRecorder { sink, failure: None };
     let encoded = encode_rows(&mut sink, picture);
     sink.failure.map_or(encoded, |failure| Err(EncodeError::Io(failure)))
 }
 
 /// Keeps the first error of the sink, of which the encoder makes a mere text.
-struct FailureRecorder<W> {
-    sink: W,
+struct FailureRecorder<'s> {
+    sink: &'s mut dyn Write,
     failure: Option<io::Error>,
 }
 
-impl<W: Write> FailureRecorder<W> {
+impl FailureRecorder<'_> {
     fn note<T>(&mut self, result: io::Result<T>) -> io::Result<T> {
         result.map_err(|error| {
             let kind = error.kind();
@@ -55,7 +55,7 @@ impl<W: Write> FailureRecorder<W> {
     }
 }
 
-impl<W: Write> Write for FailureRecorder<W> {
+impl Write for FailureRecorder<'_> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         let written = self.sink.write(bytes);
         self.note(written)
@@ -67,7 +67,7 @@ impl<W: Write> Write for FailureRecorder<W> {
     }
 }
 
-fn encode_rows(sink: impl Write, picture: &Developed) -> Result<(), EncodeError> {
+fn encode_rows(sink: &mut FailureRecorder<'_>, picture: &Developed) -> Result<(), EncodeError> {
     let mut encoder = png::Encoder::new(sink, picture.width(), picture.height());
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(match picture.codes() {
@@ -89,7 +89,7 @@ fn encode_rows(sink: impl Write, picture: &Developed) -> Result<(), EncodeError>
 /// Writes the rows, strips of which are filtered and compressed on all threads: their blocks follow one another in one
 /// stream of Deflate.
 fn write_rows(
-    writer: &mut png::Writer<impl Write>,
+    writer: &mut png::Writer<&mut FailureRecorder<'_>>,
     picture: &Developed,
     level: u32,
 ) -> Result<(), EncodeError> {

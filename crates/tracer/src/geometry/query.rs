@@ -192,8 +192,9 @@ impl<'a, W: Width> RayQuery<'a, W> {
     #[inline(always)]
     pub(crate) fn closest_hit_unresolved(&self, stack: &mut TraversalStack) -> PacketHits<W> {
         match self.hierarchy() {
-            Some(bvh) => closest_hit_of_many(*self, bvh, stack),
-            None => self.closest_hit_by(
+            // The width is asked once more, so that nothing is compiled that it never runs.
+            Some(bvh) if W::USES_HIERARCHY => closest_hit_of_many(*self, bvh, stack),
+            _ => self.closest_hit_by(
                 #[inline(always)]
                 |visitor| self.visit_few(visitor),
             ),

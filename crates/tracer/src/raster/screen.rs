@@ -308,15 +308,18 @@ impl<'a> ScreenMarcher<'a> {
         [mut low, mut high]: [Float64<N>; 2],
         lanes: Mask64<N>,
     ) -> (ScreenMarks<N>, Mask64<N>) {
-        for _ in 0..self.settings.refinements {
-            let middle = (low + high) * 0.5;
-            let is_behind = self.behind(rays, &way.at(middle), lanes).is_behind;
-            high = Float64::select(is_behind, middle, high);
-            low = Float64::select(is_behind, low, middle);
+        let mut left = self.settings.refinements;
+        loop {
+            let asked = if left > 0 { (low + high) * 0.5 } else { high };
+            let marks = way.at(asked);
+            let behind = self.behind(rays, &marks, lanes);
+            if left == 0 {
+                return (marks, lanes & self.is_within(&behind, &marks, way.at(low).depth));
+            }
+            left -= 1;
+            high = Float64::select(behind.is_behind, asked, high);
+            low = Float64::select(behind.is_behind, low, asked);
         }
-        let marks = way.at(high);
-        let behind = self.behind(rays, &marks, lanes);
-        (marks, lanes & self.is_within(&behind, &marks, way.at(low).depth))
     }
 
     /// The light that the picture has at a place, interpolated between pixels of one body.

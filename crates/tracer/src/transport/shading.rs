@@ -346,7 +346,9 @@ struct LightSample<W: Width> {
     power: Option<Vector<W::R>>,
 }
 
-/// What bodies let through on the way to a light, and the media in which the rays start.
+/// What bodies let through on the way to a light, and the media in which the rays start. Its code is there once, not in
+/// each unit of the crate that calls it.
+#[inline(never)]
 fn transmittance<W: Width>(
     w: W,
     scene: &RenderScene,

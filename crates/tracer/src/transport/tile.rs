@@ -361,6 +361,7 @@ impl TileRenderer<'_> {
 impl WhittedIntegrator<'_> {
     /// The light of [`WhittedIntegrator::li`]. In a function of its own, so that this code, which is most of what there is,
     /// is compiled once and not for each place that rays come from.
+    #[inline(never)]
     fn packet_li<W: Width, const FULL: bool>(
         &mut self,
         w: W,

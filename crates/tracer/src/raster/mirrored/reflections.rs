@@ -64,18 +64,18 @@ impl SimdKernel for ReflectionKernel<'_> {
         let mut shares = ShareOfBody { scene, last: None };
         let mut waiting = WaitingPixels { columns: [0; RAYS], count: 0 };
         reflected.fill(NOTHING);
-        for (column, texel) in texels.iter().enumerate().take(reflected.len()) {
-            if shares.of(texel) > 0.0 {
+        let columns = texels.len().min(reflected.len());
+        for column in 0..=columns {
+            let texel = texels.get(column).filter(|_| column < columns);
+            if texel.is_some_and(|texel| shares.of(texel) > 0.0) {
                 waiting.columns[waiting.count % RAYS] = column;
                 waiting.count += 1;
             }
-            if waiting.count == RAYS {
+            // In one place: it is long.
+            if waiting.count == RAYS || (texel.is_none() && waiting.count > 0) {
                 reflections.find(w, texels, &waiting, reflected);
                 waiting.count = 0;
             }
-        }
-        if waiting.count > 0 {
-            reflections.find(w, texels, &waiting, reflected);
         }
         for ((texel, lit), (found, sum)) in texels.iter().zip(lit).zip(reflected.iter().zip(sums)) {
             *sum += exact(*lit + *found * shares.of(texel));

@@ -40,8 +40,9 @@ impl<W: Width> RayQuery<'_, W> {
         // A body that touches the light does not hide it.
         let distance = distance * (1.0 - POINT_ROUNDING);
         let mut passed = match self.hierarchy() {
-            Some(bvh) => pass_many(*self, scene, distance, intervals, (bvh, stack)),
-            None => {
+            // As in `closest_hit_unresolved`.
+            Some(bvh) if W::USES_HIERARCHY => pass_many(*self, scene, distance, intervals, (bvh, stack)),
+            _ => {
                 let mut visitor = TransmittanceVisitor::new(self, scene, distance, intervals);
                 self.visit_few(&mut visitor);
                 self.visit_planes(&mut visitor);
