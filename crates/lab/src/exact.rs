@@ -3,17 +3,17 @@
 //! Each is worked out in double precision from the laws of optics, and by the tracer with the bodies concerned alone,
 //! so that nothing is in the way. The pictures that belong to them need not show them: an image may be hidden.
 
+mod dishes;
 mod geometry;
 mod inapplicable;
 mod lenses;
 mod mirrors;
-mod parabolas;
 mod probe;
 mod report;
 mod spheres;
 mod thick_lenses;
 
-use catoptric_scene::{Body, Camera, Projection, Scene, Shape};
+use catoptric_scene::{Body, Camera, DishProfile, Projection, Scene, Shape};
 use glam::DVec3;
 
 use geometry::Viewpoint;
@@ -96,18 +96,22 @@ pub enum ExactAnswer {
         /// it does not come through both.
         marginal: Option<ExactDeviation>,
     },
-    /// The focus of a mirror that is a paraboloid of revolution: all light along the axis is mirrored to it or, by the
-    /// outside, as if it came from it. No ray misses it, near the axis or far.
-    ParabolicFocus {
+    /// The focus of a mirror that is a paraboloid of revolution or a spherical dish: light along the axis is mirrored to
+    /// it or, by the outside, as if it came from it. No ray misses that of a paraboloid, near the axis or far; what a
+    /// sphere mirrors crosses the axis the nearer to the vertex, the farther it came from the axis.
+    DishFocus {
         /// The mirror.
         mirror: usize,
-        /// The distance from the vertex, meters: R²/(4H) with the radius R of the rim and the height H.
+        /// Its curve.
+        profile: DishProfile,
+        /// The distance from the vertex, meters: R²/(4H) of a paraboloid with the radius R of the rim and the height H, half
+        /// the radius of curvature of a sphere.
         focal_length: f64,
         /// Whether the light is mirrored by the outside, and the focus lies behind the mirror.
         is_virtual: bool,
-        /// By a ray a tenth of the rim's radius from the axis.
+        /// Where a ray a tenth of the rim's radius from the axis crosses it.
         near: ExactDeviation,
-        /// By a ray [`MARGINAL`] of the rim's radius from the axis.
+        /// Where a ray [`MARGINAL`] of the rim's radius from the axis crosses it.
         marginal: ExactDeviation,
     },
     /// The point of a body where the eye sees the middle of a light mirrored: the middle of its highlight.
@@ -133,7 +137,7 @@ impl ExactAnswer {
             Self::Focus { paraxial, marginal, .. } | Self::LensFocus { paraxial, marginal, .. } => {
                 paraxial.found.or(marginal.as_ref().and_then(|marginal| marginal.found)).is_some()
             }
-            Self::ParabolicFocus { near, marginal, .. } => near.found.or(marginal.found).is_some(),
+            Self::DishFocus { near, marginal, .. } => near.found.or(marginal.found).is_some(),
             Self::Highlight { off, .. } => off.is_some(),
             Self::Ring { images, .. } => images.iter().any(|image| image.miss.is_some()),
         }
@@ -141,7 +145,7 @@ impl ExactAnswer {
 }
 
 /// How far from the axis the marginal rays of [`ExactAnswer::Focus`], [`ExactAnswer::LensFocus`] and
-/// [`ExactAnswer::ParabolicFocus`] run, in radii.
+/// [`ExactAnswer::DishFocus`] run, in radii.
 pub const MARGINAL: f64 = 0.7;
 
 /// A point by the laws of optics, and by the tracer.
@@ -209,7 +213,7 @@ pub fn answers_for(scene: &Scene, body: Option<usize>) -> ExactAnswers {
     spheres::answer(&setting, &mut found);
     lenses::answer(&setting, &mut found);
     thick_lenses::answer(&setting, &mut found);
-    parabolas::answer(&setting, &mut found.answers);
+    dishes::answer(&setting, &mut found.answers);
     let lights = scene.lights.iter().enumerate().map(|(place, light)| match light.name.as_str() {
         "" => format!("light {}", place + 1),
         name => catoptric_scene::quoted_name(name),
@@ -298,7 +302,7 @@ impl<'a> ExactSetup<'a> {
             if is_meant && is_lens && matches!(body.shape, Shape::Sphere { .. }) {
                 keep(&mut setting.lenses, place, &mut setting.is_cut);
             }
-            if is_meant && parabolas::is_mirror(body, material) {
+            if is_meant && dishes::is_mirror(body, material) {
                 keep(&mut setting.dishes, place, &mut setting.is_cut);
             }
             if is_meant && material.has_highlight() && !is_around {

@@ -3,7 +3,7 @@
 use catoptric_scene::{Body, Material, Scene, Shape};
 use glam::DVec3;
 
-use super::{PlacedBody, parabolas, radius};
+use super::{PlacedBody, dishes, radius};
 
 /// The reason why a formula does not apply. Numbers are places of bodies in the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -108,7 +108,7 @@ impl Inapplicable {
         if material.is_rough() {
             return Some(Self::RoughMirror { mirror: index });
         }
-        let is_dish = parabolas::is_mirror(body, material);
+        let is_dish = dishes::is_mirror(body, material);
         if body.shape.is_compound() && !is_dish {
             return Some(Self::OfParts { body: index });
         }

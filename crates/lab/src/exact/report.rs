@@ -45,7 +45,7 @@ fn bodies_of(answer: &ExactAnswer) -> Vec<usize> {
         ExactAnswer::Focus { body, .. }
         | ExactAnswer::LensFocus { body, .. }
         | ExactAnswer::Highlight { body, .. } => vec![body],
-        ExactAnswer::ParabolicFocus { mirror, .. } => vec![mirror],
+        ExactAnswer::DishFocus { mirror, .. } => vec![mirror],
     }
 }
 
@@ -138,10 +138,10 @@ fn write_answer(text: &mut String, names: &ExactAnswers, answer: &ExactAnswer) {
                 compare(text, "marginal", marginal);
             }
         }
-        ExactAnswer::ParabolicFocus { mirror, focal_length, is_virtual, near, marginal } => {
+        ExactAnswer::DishFocus { mirror, profile, focal_length, is_virtual, near, marginal } => {
             let kind = if *is_virtual { "Virtual focus" } else { "Focus" };
-            let mirror = names.body(*mirror);
-            title(format!("{kind} of the parabolic mirror {mirror}: {focal_length:.6} m from its vertex"));
+            let (profile, mirror) = (profile.key(), names.body(*mirror));
+            title(format!("{kind} of the {profile} mirror {mirror}: {focal_length:.6} m from its vertex"));
             compare(text, "near axis", near);
             compare(text, "marginal", marginal);
         }
@@ -230,8 +230,8 @@ fn one(names: &ExactAnswers, answer: &ExactAnswer) -> Value {
             "kind": "lens-focus", "body": body(of), "focal_length": focal_length,
             "paraxial": compared(paraxial), "marginal": marginal.as_ref().map(compared),
         }),
-        ExactAnswer::ParabolicFocus { mirror, focal_length, is_virtual, near, marginal } => json!({
-            "kind": "parabolic-focus", "mirror": body(mirror), "focal_length": focal_length,
+        ExactAnswer::DishFocus { mirror, profile, focal_length, is_virtual, near, marginal } => json!({
+            "kind": format!("{}-focus", profile.key()), "mirror": body(mirror), "focal_length": focal_length,
             "virtual": is_virtual, "near": compared(near), "marginal": compared(marginal),
         }),
         ExactAnswer::Highlight { body: of, light, point, off } => json!({

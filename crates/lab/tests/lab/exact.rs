@@ -155,7 +155,7 @@ fn the_tracer_agrees_with_the_laws_in_the_examples() {
                     near(*off, 1e-5);
                     5
                 }
-                ExactAnswer::ParabolicFocus { near: inner, marginal, .. } => {
+                ExactAnswer::DishFocus { near: inner, marginal, .. } => {
                     near(inner.difference(), 1e-4);
                     near(marginal.difference(), 1e-5);
                     6
@@ -246,7 +246,7 @@ fn a_mirror_that_no_formula_is_for_says_so() {
         [Shape::CONE, Shape::PARABOLOID].map(|shape| body(shape, DVec3::ZERO, material.clone()));
     for mirror in [egg, tube, tip, dish] {
         let found = answers_for(&before_a_mirror(mirror), None);
-        let is_focus = |answer: &ExactAnswer| matches!(answer, ExactAnswer::ParabolicFocus { .. });
+        let is_focus = |answer: &ExactAnswer| matches!(answer, ExactAnswer::DishFocus { .. });
         assert!(found.answers.iter().all(is_focus), "{found:?}");
         assert_eq!(found.inapplicable, [Inapplicable::CurvedMirror { mirror: 1 }]);
     }
@@ -281,7 +281,7 @@ fn a_paraboloid_mirrors_all_light_along_its_axis_to_its_focus() {
                 let axis = mirror.placement.rotation().y_axis;
                 let scene = Scene { bodies: [mirror].into(), ..Scene::default() };
                 let found = answers(&scene);
-                let [ExactAnswer::ParabolicFocus { focal_length, is_virtual, near, marginal, .. }] =
+                let [ExactAnswer::DishFocus { focal_length, is_virtual, near, marginal, .. }] =
                     found.answers.as_slice()
                 else {
                     panic!("{found:?}")
@@ -321,18 +321,28 @@ fn a_dish_gathers_light_in_its_focus() {
         dish.change_shape(|shape| shape.set_number("focal_length", f));
         let focus = dish.placement.world_from_body().translation + 2.0 * f * dish.placement.rotation().y_axis;
         let answer = |dish: &Body| answers(&Scene { bodies: [dish.clone()].into(), ..Scene::default() });
-        let found = answer(&dish);
-        let [ExactAnswer::ParabolicFocus { focal_length, is_virtual: false, near, marginal, .. }] =
-            found.answers.as_slice()
-        else {
-            panic!("{found:?}")
-        };
-        assert!((focal_length - 2.0 * f).abs() < 1e-12 && near.exact.distance(focus) < 1e-12);
-        for ray in [near, marginal] {
-            assert!(ray.difference().unwrap() < 1e-4 * f, "{radius} {f}: {ray:?}");
+        for profile in ["parabolic", "spherical"] {
+            if profile == "spherical" && radius > 2.0 * f {
+                // No sphere is that deep.
+                continue;
+            }
+            dish.change_shape(|shape| shape.set_word("profile", profile));
+            let found = answer(&dish);
+            let [ExactAnswer::DishFocus { focal_length, is_virtual: false, near, marginal, .. }] =
+                found.answers.as_slice()
+            else {
+                panic!("{found:?}")
+            };
+            assert!((focal_length - 2.0 * f).abs() < 1e-12);
+            for (ray, height) in [(near, 0.1), (marginal, 0.7)] {
+                // A sphere has a focus for rays near the axis alone: R/(2 cos θ) from the center others cross it.
+                let sin: f64 = if profile == "spherical" { height * radius / (2.0 * f) } else { 0.0 };
+                let aberration = 2.0 * f * (1.0 / (1.0 - sin * sin).sqrt() - 1.0);
+                assert!((ray.exact.distance(focus) - aberration).abs() < 1e-12, "{profile} {radius} {f}");
+                assert!(ray.difference().unwrap() < 1e-4 * f, "{profile} {radius} {f}: {ray:?}");
+            }
+            assert_eq!(to_json(&found)["answers"][0]["kind"], format!("{profile}-focus"));
         }
-        dish.change_shape(|shape| shape.set_word("profile", "spherical"));
-        assert_eq!(answer(&dish).answers, []);
     }
 }
 

@@ -60,6 +60,7 @@ exact-reflection-point = Seen here in { $mirror } (Alhazen’s problem)
 exact-focus = Focal point, { $length } m from the center
 exact-lens-focus = Focal point of the lens, focal length { $length } m
 exact-parabolic-focus = Focus of the paraboloid, { $length } m from the vertex
+exact-spherical-focus = Focus of the spherical mirror, { $length } m from the vertex
 exact-marginal = Crossing of a ray at 0.7 of the radius
 exact-highlight = Highlight of { $light }
 exact-ring = { $count ->

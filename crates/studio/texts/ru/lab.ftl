@@ -60,6 +60,7 @@ exact-reflection-point = Здесь видно в зеркале «{ $mirror }»
 exact-focus = Фокус, { $length } м от центра
 exact-lens-focus = Фокус линзы, фокусное расстояние { $length } м
 exact-parabolic-focus = Фокус параболоида, { $length } м от вершины
+exact-spherical-focus = Фокус сферического зеркала, { $length } м от вершины
 exact-marginal = Пересечение луча на 0,7 радиуса
 exact-highlight = Блик источника «{ $light }»
 exact-ring = { $count ->

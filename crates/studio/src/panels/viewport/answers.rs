@@ -2,7 +2,7 @@
 //! tracer finds.
 
 use catoptric_lab::exact::{ExactAnswer, ExactDeviation, Inapplicable, RingImage};
-use catoptric_scene::ScenePart;
+use catoptric_scene::{DishProfile, ScenePart};
 use egui::accesskit::Role;
 use egui::{
     Align2, Color32, Id, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, Visuals, WidgetInfo, pos2, vec2,
@@ -85,12 +85,20 @@ impl AnswerPainter<'_> {
                     self.compared(marginal, texts.get("exact-marginal"));
                 }
             }
-            ExactAnswer::ParabolicFocus { mirror, focal_length, near, marginal, .. } => {
+            ExactAnswer::DishFocus { mirror, profile, focal_length, near, marginal, .. } => {
                 let frame = scene.bodies.get(*mirror).map(|body| body.placement.world_from_body());
                 self.dashed(frame.map_or(near.exact, |frame| frame.translation), near.exact);
-                let length = short(texts, *focal_length);
-                let worst = if near.difference() < marginal.difference() { marginal } else { near };
-                self.compared(worst, &texts.with("exact-parabolic-focus", &[("length", length.into())]));
+                let focus = |key| texts.with(key, &[("length", short(texts, *focal_length).into())]);
+                match profile {
+                    DishProfile::Parabolic => {
+                        let worst = if near.difference() < marginal.difference() { marginal } else { near };
+                        self.compared(worst, &focus("exact-parabolic-focus"));
+                    }
+                    DishProfile::Spherical => {
+                        self.compared(near, &focus("exact-spherical-focus"));
+                        self.compared(marginal, texts.get("exact-marginal"));
+                    }
+                }
             }
             ExactAnswer::Highlight { light, point, off, .. } => {
                 let title =
