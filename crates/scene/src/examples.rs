@@ -53,6 +53,7 @@ impl Example {
         "falloff",
         "colored-lights",
         "mirror-bowl",
+        "cardioid-cup",
         "dice",
         "still-life",
     ];
