@@ -3,6 +3,8 @@
 use catoptric_scene::{Body, Form, Scene, ScenePart, Shape};
 use glam::DVec3;
 
+use crate::part_path::PartPath;
+
 /// A box along the world's axes, meters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
@@ -130,6 +132,17 @@ pub(crate) fn ball_of_body(body: &Body) -> Option<BoundingSphere> {
     Some(BoundingSphere { center: body.placement.world_from_body().transform_point3(center), radius })
 }
 
+/// A ball around a part of a joined body; `None` for what has no end, and where there is no such part.
+pub fn ball_of_part(body: &Body, part: PartPath) -> Option<BoundingSphere> {
+    let ball = ball_of_body(&part.as_body(body)?)?;
+    let frame = part.frame_around(body);
+    // No vector becomes longer than by √‖MᵀM‖∞, and some do by as much if the axes stay perpendicular.
+    let [x, y, z] = (frame.matrix3.transpose() * frame.matrix3).to_cols_array_2d();
+    let stretch = [x, y, z].map(|column| column.iter().map(|entry| entry.abs()).sum()).into_iter();
+    let stretch = stretch.fold(0.0, f64::max).sqrt();
+    Some(BoundingSphere { center: frame.transform_point3(ball.center), radius: stretch * ball.radius })
+}
+
 /// The box around bodies and lights; `None` when there are none but planes.
 fn of_parts(scene: &Scene, parts: &[ScenePart]) -> Option<Bounds> {
     let bounds = parts.iter().filter_map(|part| match *part {
@@ -175,7 +188,7 @@ fn around(bounds: Bounds, balls: impl Iterator<Item = BoundingSphere>) -> Boundi
 
 #[cfg(test)]
 mod tests {
-    use catoptric_scene::{Anchor, Placement, ShapeKind};
+    use catoptric_scene::{Anchor, BodyPart, Placement, ShapeKind};
 
     use super::*;
 
@@ -280,6 +293,29 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn parts_are_held_where_all_frames_carry_them() {
+        let placement = |position, scale| {
+            let rotation_degrees = DVec3::new(10.0, 20.0, 30.0);
+            Placement { anchor: Anchor::Frame { position, rotation_degrees }, scale: DVec3::splat(scale) }
+        };
+        let part = |shape, x, parts| BodyPart {
+            shape,
+            placement: placement(DVec3::X * x, 2.0),
+            parts,
+            ..BodyPart::default()
+        };
+        let inner = part(Shape::Union, 3.0, vec![part(Shape::SPHERE, 1.0, Vec::new())]);
+        let parts = vec![part(Shape::SPHERE, 0.0, Vec::new()), inner, part(Shape::Plane, 0.0, Vec::new())];
+        let whole =
+            Body { shape: Shape::Union, placement: placement(DVec3::Y, 1.5), parts, ..Body::default() };
+        let ball = |places: &[usize]| ball_of_part(&whole, PartPath::by(places.iter().copied()).unwrap());
+        let found = ball(&[1, 0]).unwrap();
+        let frame = PartPath::by([1, 0]).unwrap().frame(&whole);
+        assert!(found.center.distance(frame.translation) < 1e-12 && (found.radius - 6.0).abs() < 1e-12);
+        assert_eq!((ball(&[2]), ball(&[3]), ball(&[])), (None, None, None));
     }
 
     #[test]

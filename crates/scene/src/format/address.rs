@@ -121,6 +121,12 @@ impl Scene {
 
     /// The addresses of one part, as in [`Self::keys`]; none where there is no such part.
     pub fn keys_of(&self, part: ScenePart) -> Vec<SceneKey> {
-        listing::keys_of(self, part)
+        listing::keys_of(self, part, [])
+    }
+
+    /// The addresses of a part of a joined body: `places` lead to it, the first among the parts of the whole, each further
+    /// one among those of the last. None where there is no such part.
+    pub fn keys_of_nested(&self, whole: ScenePart, places: impl IntoIterator<Item = usize>) -> Vec<SceneKey> {
+        listing::keys_of(self, whole, places)
     }
 }

@@ -41,7 +41,11 @@ fn glide_from(studio: &mut Studio, before: Camera) {
 pub(crate) fn frame(studio: &mut Studio, all: bool) {
     let scene = studio.editor.scene();
     let parts: Vec<ScenePart> = studio.editor.selected_parts().collect();
-    let selected = if all { None } else { bounds::ball_of_parts(scene, &parts) };
+    let meant = || {
+        let (body, part) = studio.editor.selected_part()?;
+        bounds::ball_of_part(scene.bodies.get(body)?, part)
+    };
+    let selected = if all { None } else { meant().or_else(|| bounds::ball_of_parts(scene, &parts)) };
     let Some(ball) = selected.or_else(|| bounds::ball_of_scene(scene)) else { return };
     let camera = studio.view.camera(scene);
     let camera = navigate::frame(&camera, ball.center, ball.radius, studio.settings.picture_aspect());

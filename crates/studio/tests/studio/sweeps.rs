@@ -1,6 +1,7 @@
 //! Numbers of the scene in the panel of the measurement: their addresses, ranges, and what the pictures answer.
 
-use catoptric_scene::ScenePart;
+use catoptric_editor::{Action, PartPath, Selection};
+use catoptric_scene::{ScenePart, ShapeKind};
 use catoptric_studio::{Command, MeasureCommand, StartDocument, Studio};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, OutputCommand};
@@ -222,4 +223,24 @@ fn a_number_of_the_inspector_is_varied_by_its_menu() {
         found = found.or_else(|| copied(&harness));
     }
     assert_eq!(found.as_deref(), Some("camera.position.y"));
+}
+
+#[test]
+fn a_number_of_a_part_is_varied_by_its_menu() {
+    let mut harness = open("english");
+    let editor = harness.state_mut().editor_mut();
+    editor.select_parts([1, 2].map(ScenePart::Body));
+    editor.apply(Action::Join { shape: ShapeKind::Difference, name: "whole".to_owned() }).unwrap();
+    let whole = editor.edited().item(ScenePart::Body(1)).unwrap();
+    editor.select(Selection::of_part(whole, PartPath::by([1]).unwrap()));
+    harness.run_steps(3);
+    for (label, address) in
+        [("Position Y", "bodies.whole.parts.cube.position.y"), ("Size X", "bodies.whole.parts.cube.size.x")]
+    {
+        harness.get_all_by_label(label).last().unwrap().click_secondary();
+        harness.run_steps(3);
+        harness.get_by_label(&said(&harness, "command-measure-vary")).click();
+        harness.run_steps(4);
+        assert_eq!(text_of(&harness, "measure-address"), address);
+    }
 }

@@ -27,7 +27,7 @@ pub(super) fn completions(
         // Each has a key or more, which nobody needs to know.
         beginnings(meant.iter().map(|part| ScenePath { segments: segments(scene, *part) }), true, typed, most)
     } else {
-        let keys = meant.iter().flat_map(|part| keys_of(scene, *part));
+        let keys = meant.iter().flat_map(|part| keys_of(scene, *part, []));
         let all: Vec<(ScenePath, SceneKey)> = keys
             .flat_map(|key| addresses(&key).into_iter().map(move |path| (path, key.clone())))
             .filter(|(path, _)| path.to_string().starts_with(typed))

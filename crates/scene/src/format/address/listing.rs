@@ -38,7 +38,7 @@ impl SceneKey {
 
 /// The addresses of a scene in the order of the format.
 pub(super) fn keys(scene: &Scene) -> impl Iterator<Item = SceneKey> + '_ {
-    parts(scene).flat_map(|part| keys_of(scene, part))
+    parts(scene).flat_map(|part| keys_of(scene, part, []))
 }
 
 /// The parts of a scene in the order of their addresses.
@@ -50,13 +50,32 @@ pub(super) fn parts(scene: &Scene) -> impl Iterator<Item = ScenePart> + use<> {
     single.chain(materials).chain(lights).chain(bodies)
 }
 
-/// The addresses of a part in the order of the format; none where there is no such part.
-pub(super) fn keys_of(scene: &Scene, part: ScenePart) -> Vec<SceneKey> {
+/// The addresses of a part, or of what `places` lead to among its parts, in the order of the format; none where there is
+/// no such part.
+pub(super) fn keys_of(
+    scene: &Scene,
+    part: ScenePart,
+    places: impl IntoIterator<Item = usize>,
+) -> Vec<SceneKey> {
     let mut found = Vec::new();
-    if let Some(record) = record(scene, part) {
-        add(&record, false, &segments(scene, part), &mut found);
+    let Some(record) = record(scene, part) else { return found };
+    let (mut meant, mut path) = (&record, segments(scene, part));
+    for place in places {
+        let Some(Datum::Tables(parts)) = meant.get("parts") else { return found };
+        let Some(inner) = parts.get(place) else { return found };
+        path.extend([PathSegment::key("parts"), element_segment(inner, place)]);
+        meant = inner;
     }
+    add(meant, false, &path, &mut found);
     found
+}
+
+/// What an element of a list within a part is called in addresses: its name, else its place.
+fn element_segment(element: &Record<'_>, index: usize) -> PathSegment {
+    match element.get("name") {
+        Some(Datum::Text(name)) if !name.is_empty() => PathSegment::name(name),
+        _ => PathSegment::key(&index.to_string()),
+    }
 }
 
 /// The beginning of the addresses of a part.
@@ -87,10 +106,7 @@ fn add(record: &Record<'_>, is_absent: bool, path: &[PathSegment], found: &mut V
         let datum = record.get(spec.name);
         if let Some(Datum::Tables(elements)) = datum {
             for (index, element) in elements.iter().enumerate() {
-                let own = match element.get("name") {
-                    Some(Datum::Text(name)) if !name.is_empty() => PathSegment::name(name),
-                    _ => PathSegment::key(&index.to_string()),
-                };
+                let own = element_segment(element, index);
                 add(element, false, &[segments.as_slice(), &[own]].concat(), found);
             }
         }

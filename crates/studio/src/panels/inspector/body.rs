@@ -134,7 +134,7 @@ pub(super) fn bodies_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut InspectorStat
     let mut sheet = PropertySheet {
         primary,
         things: indices.iter().filter_map(|&index| scene.bodies.get(index)).collect(),
-        part: Some(ScenePart::Body(first)),
+        place: ScenePart::Body(first).into(),
         subject: subject.clone(),
         id: Id::unique(("inspector-body", item)),
         is_free,
@@ -226,7 +226,7 @@ pub(super) fn shape_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Body>) {
 
 /// What the bodies leave of light on its way to others; parts do as the whole.
 fn shadow_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Body>) {
-    if sheet.part.is_none() {
+    if !sheet.place.within.is_whole() {
         return;
     }
     let choices =

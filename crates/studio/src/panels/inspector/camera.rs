@@ -138,7 +138,7 @@ pub(super) fn camera_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut InspectorStat
     let mut sheet = PropertySheet {
         primary: &scene.camera,
         things: vec![&scene.camera],
-        part: Some(ScenePart::Camera),
+        place: ScenePart::Camera.into(),
         subject: String::new(),
         id: Id::unique("inspector-camera"),
         is_free: true,

@@ -62,7 +62,7 @@ pub(super) fn lights_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut InspectorStat
     let mut sheet = PropertySheet {
         primary,
         things: indices.iter().filter_map(|&index| scene.lights.get(index)).collect(),
-        part: Some(ScenePart::Light(first)),
+        place: ScenePart::Light(first).into(),
         subject,
         id: Id::unique(("inspector-light", item)),
         is_free,

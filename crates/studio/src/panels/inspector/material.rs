@@ -337,7 +337,7 @@ fn sheet_ui(
     let mut sheet = PropertySheet {
         primary,
         things,
-        part: Some(home.part()).filter(|_| !matches!(home, MaterialOwner::Part(..))),
+        place: home.place(),
         subject: subject.to_owned(),
         id: Id::unique(("inspector-material", owner)),
         is_free: chooser.is_none_or(|chooser| chooser.is_free),

@@ -5,6 +5,8 @@ use std::collections::{HashMap, HashSet};
 use catoptric_editor::{EditedScene, Editor, Item, Label, PartPath, RefusedChange};
 use catoptric_scene::{Material, MaterialChoice, Scene, ScenePart};
 
+use super::sheet::SheetPlace;
+
 /// The owner of a material as it stays in the open document: a thing, and the way to its part.
 pub(super) type OwnerKey = (Item, PartPath);
 
@@ -28,10 +30,16 @@ impl MaterialOwner {
         }
     }
 
+    /// Where the scene has it.
+    pub(super) fn place(self) -> SheetPlace {
+        let within = if let Self::Part(_, path) = self { path } else { PartPath::WHOLE };
+        SheetPlace { part: self.part(), within }
+    }
+
     /// What it is, whatever its place.
     pub(super) fn key(self, edited: &EditedScene) -> Option<OwnerKey> {
-        let path = if let Self::Part(_, path) = self { path } else { PartPath::WHOLE };
-        Some((edited.item(self.part())?, path))
+        let SheetPlace { part, within } = self.place();
+        Some((edited.item(part)?, within))
     }
 }
 

@@ -8,7 +8,7 @@ use egui::{Button, Id, Sense, Ui, UiBuilder, vec2};
 use egui_material_icons::icons::{ICON_ARROW_UPWARD, ICON_LOCK};
 
 use super::header::hint;
-use super::sheet::PropertySheet;
+use super::sheet::{PropertySheet, SheetPlace};
 use super::{InspectorState, body, material, place};
 use crate::base::theme;
 use crate::base::widgets::number::HEIGHT;
@@ -34,7 +34,7 @@ pub(super) fn part_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut InspectorState)
     let mut sheet = PropertySheet {
         primary: &as_body,
         things: vec![&as_body],
-        part: None,
+        place: SheetPlace { part: ScenePart::Body(index), within: path },
         subject: subject.clone(),
         id: Id::unique(("inspector-part", item, path)),
         is_free: !whole.locked,

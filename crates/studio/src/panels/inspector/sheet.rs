@@ -1,6 +1,6 @@
 //! A sheet of values: the rows of one kind of thing, read from all that are selected and written to all of them.
 
-use catoptric_editor::{Editor, Label, RefusedChange};
+use catoptric_editor::{Editor, Label, PartPath, RefusedChange};
 use catoptric_scene::format::spec::{KeySpec, Limits, TableSpec};
 use catoptric_scene::{Color, ScenePart};
 use egui::{Id, Ui};
@@ -90,6 +90,21 @@ impl RowQuantity {
     }
 }
 
+/// Where the scene has what a sheet shows.
+#[derive(Clone, Copy)]
+pub(crate) struct SheetPlace {
+    /// The part of the scene, or that around it.
+    pub(crate) part: ScenePart,
+    /// The way to the part of a joined body, if that is shown.
+    pub(crate) within: PartPath,
+}
+
+impl From<ScenePart> for SheetPlace {
+    fn from(part: ScenePart) -> Self {
+        Self { part, within: PartPath::WHOLE }
+    }
+}
+
 /// The rows for the selected things of one kind.
 pub(crate) struct PropertySheet<'s, 'a, T> {
     pub(crate) cx: &'s mut Cx<'a>,
@@ -98,8 +113,8 @@ pub(crate) struct PropertySheet<'s, 'a, T> {
     pub(crate) primary: &'s T,
     /// All, the primary one first.
     pub(crate) things: Vec<&'s T>,
-    /// Where the scene has the primary one: the part, or the part around it. `None` for what has no addresses.
-    pub(crate) part: Option<ScenePart>,
+    /// Where the scene has the primary one.
+    pub(crate) place: SheetPlace,
     /// What they are called in the history.
     pub(crate) subject: String,
     /// Which things these are, for the identity of widgets.

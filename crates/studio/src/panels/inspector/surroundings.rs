@@ -112,7 +112,7 @@ pub(super) fn environment_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Inspecto
     let mut sheet = PropertySheet {
         primary: &scene.environment,
         things: vec![&scene.environment],
-        part: Some(ScenePart::Environment),
+        place: ScenePart::Environment.into(),
         subject: String::new(),
         id: Id::unique("inspector-environment"),
         is_free: true,
@@ -158,7 +158,7 @@ pub(super) fn tracing_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut InspectorSta
     let mut sheet = PropertySheet {
         primary: &scene.tracing,
         things: vec![&scene.tracing],
-        part: Some(ScenePart::Tracing),
+        place: ScenePart::Tracing.into(),
         subject: String::new(),
         id: Id::unique("inspector-tracing"),
         is_free: true,

@@ -41,8 +41,12 @@ impl<T> PropertySheet<'_, '_, T> {
 
     /// The address of the number of a row, or of one of its three numbers; `None` for one that follows from others.
     fn address(&self, what: &RowQuantity, component: Option<usize>) -> Option<ScenePath> {
-        let keys = self.cx.editor.scene().keys_of(self.part?);
-        let key = keys.into_iter().find(|key| Some(key.spec) == what.spec())?;
+        let SheetPlace { part, within } = self.place;
+        let spec = what.spec()?;
+        let keys = self.cx.editor.scene().keys_of_nested(part, within.places());
+        // Some keys of parts mean another place than those of bodies, and are else alike.
+        let is_like = |of: &KeySpec| !within.is_whole() && (of.name, of.kind) == (spec.name, spec.kind);
+        let key = keys.into_iter().find(|key| key.spec == spec || is_like(key.spec))?;
         match component {
             Some(index) => key.component(index),
             None => key.value.is_some().then_some(key.path),
