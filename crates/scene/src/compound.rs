@@ -169,7 +169,7 @@ impl<'a> Form<'a> {
     }
 
     /// How many simple parts it has, or more than `most` if there are.
-    pub(crate) fn simple_parts(&self, most: usize) -> usize {
+    pub fn simple_parts(&self, most: usize) -> usize {
         if !self.shape.is_compound() {
             return 1;
         }

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use catoptric_scene::{Body, Form, List, MaterialChoice, Scene, Shape};
+use catoptric_scene::{Body, BodyPart, Form, List, MaterialChoice, Scene, Shape};
 use glam::DAffine3;
 use rayon::prelude::*;
 
@@ -76,6 +76,8 @@ struct ChunkBuild<'a> {
     joined: Vec<JoinedBuild>,
     /// How many simple parts of the body at hand came before.
     parts_before: u32,
+    /// Left to several threads.
+    large_groups: Vec<ScenePlace<'a>>,
 }
 
 /// A body that the scene has only as a part of another.
@@ -113,7 +115,10 @@ impl BodyBuild {
         let chunks: Vec<_> =
             chunks.map(|(chunk, slices)| ChunkBuild::of(slices, chunk * CHUNK, (&named, space))).collect();
         // Of several undefined materials the first is told.
-        let chunks = chunks.into_iter().collect::<Result<Vec<_>, _>>()?;
+        let mut chunks = chunks.into_iter().collect::<Result<Vec<_>, _>>()?;
+        let runs: Vec<_> = chunks.iter().flat_map(|chunk| &chunk.large_groups).flat_map(runs).collect();
+        let runs = runs.into_par_iter().map(|run| ChunkBuild::of_run(run, (&named, space)));
+        chunks.extend(runs.collect::<Vec<_>>().into_iter().collect::<Result<Vec<_>, _>>()?);
         let mut table = MaterialTable::default();
         let mut all = Self {
             entries: Vec::with_capacity(chunks.iter().map(|chunk| chunk.entries.len()).sum()),
@@ -221,7 +226,26 @@ impl<'a> ChunkBuild<'a> {
         (named, space): (&'a NamedMaterials<'a>, &'a RenderSpace),
     ) -> Result<Self, SceneBuildError> {
         let count = slices.iter().map(|slice| slice.len()).sum();
-        let mut chunk = Self {
+        let mut chunk = Self::empty((named, space), count);
+        for (body, index) in slices.iter().copied().flatten().zip(first as u32..) {
+            chunk.add(body, index)?;
+        }
+        Ok(chunk)
+    }
+
+    /// Prepares some members of a large group.
+    fn of_run(
+        run: MemberRun<'a>,
+        around: (&'a NamedMaterials<'a>, &'a RenderSpace),
+    ) -> Result<Self, SceneBuildError> {
+        let mut chunk = Self { parts_before: run.first_part, ..Self::empty(around, 0) };
+        chunk.add_members(run.place, run.parts, run.material, run.frame)?;
+        Ok(chunk)
+    }
+
+    /// With room for `count` bodies of the scene.
+    fn empty((named, space): (&'a NamedMaterials<'a>, &'a RenderSpace), count: usize) -> Self {
+        Self {
             named,
             space,
             bodies: Vec::with_capacity(count),
@@ -233,11 +257,8 @@ impl<'a> ChunkBuild<'a> {
             members: Vec::new(),
             joined: Vec::new(),
             parts_before: 0,
-        };
-        for (body, index) in slices.iter().copied().flatten().zip(first as u32..) {
-            chunk.add(body, index)?;
+            large_groups: Vec::new(),
         }
-        Ok(chunk)
     }
 
     fn add(&mut self, body: &'a Body, index: u32) -> Result<(), SceneBuildError> {
@@ -249,7 +270,12 @@ impl<'a> ChunkBuild<'a> {
         self.parts_before = 0;
         let (prepared, search) = match body.shape {
             Shape::Group => {
-                self.add_members(place, &body.form(), &body.material, DAffine3::IDENTITY)?;
+                if body.form().simple_parts(RUN) > RUN {
+                    self.large_groups.push(place);
+                } else {
+                    let frame = body.placement.world_from_body();
+                    self.add_members(place, body.form().parts, &body.material, frame)?;
+                }
                 (RenderBody::NONE, None)
             }
             Shape::Union | Shape::Intersection | Shape::Difference | Shape::Surface { .. } => {
@@ -293,21 +319,21 @@ impl<'a> ChunkBuild<'a> {
         Ok(prepared)
     }
 
-    /// Adds the members of a group that stands in the frame `around`.
+    /// Adds members of a group with the frame `frame`.
     fn add_members(
         &mut self,
         place: ScenePlace<'_>,
-        group: &Form<'a>,
+        members: &'a [BodyPart],
         material: &'a MaterialChoice,
-        around: DAffine3,
+        frame: DAffine3,
     ) -> Result<(), SceneBuildError> {
-        let frame = around * group.placement.world_from_body();
-        for part in group.parts {
+        for part in members {
             let (form, material) = (part.form(), part.material.as_ref().unwrap_or(material));
             let part = self.parts_before;
             let (body, double, search) = match form.shape {
                 Shape::Group => {
-                    self.add_members(place, &form, material, frame)?;
+                    let frame = frame * form.placement.world_from_body();
+                    self.add_members(place, form.parts, material, frame)?;
                     continue;
                 }
                 Shape::Union | Shape::Intersection | Shape::Difference | Shape::Surface { .. } => {
@@ -385,6 +411,67 @@ impl<'a> ChunkBuild<'a> {
         let search = if is_bounded { SearchedBounds::Bounded(bounds) } else { SearchedBounds::Endless };
         Ok((whole, Some(search)))
     }
+}
+
+/// So many simple parts of a group are prepared by one thread.
+const RUN: usize = 4096;
+
+/// Members of a large group, or of one within it, that stand side by side.
+#[derive(Clone, Copy)]
+struct MemberRun<'a> {
+    place: ScenePlace<'a>,
+    parts: &'a [BodyPart],
+    /// What those are made of that have no material of their own.
+    material: &'a MaterialChoice,
+    /// Of the group.
+    frame: DAffine3,
+    /// How many simple parts of the body come before.
+    first_part: u32,
+}
+
+/// The members of a large group in their order, in runs of at most [`RUN`] simple parts, or of one member.
+fn runs<'a>(place: &ScenePlace<'a>) -> Vec<MemberRun<'a>> {
+    let body = place.body;
+    let whole = (body.form().parts, &body.material, body.placement.world_from_body());
+    let (mut runs, mut first_part) = (Vec::new(), 0);
+    add_runs(*place, whole, &mut first_part, &mut runs);
+    runs.retain(|run| !run.parts.is_empty());
+    runs
+}
+
+fn add_runs<'a>(
+    place: ScenePlace<'a>,
+    (parts, material, frame): (&'a [BodyPart], &'a MaterialChoice, DAffine3),
+    first_part: &mut u32,
+    runs: &mut Vec<MemberRun<'a>>,
+) {
+    let (mut begin, mut count) = (0, 0);
+    for (at, part) in parts.iter().enumerate() {
+        let form = part.form();
+        let own = form.simple_parts(RUN);
+        let is_large = own > RUN && form.shape == Shape::Group;
+        if is_large || count + own > RUN {
+            runs.push(MemberRun {
+                place,
+                parts: &parts[begin..at],
+                material,
+                frame,
+                first_part: *first_part,
+            });
+            *first_part += count as u32;
+            (begin, count) = (at, 0);
+        }
+        if is_large {
+            let inner = frame * form.placement.world_from_body();
+            let material = part.material.as_ref().unwrap_or(material);
+            add_runs(place, (form.parts, material, inner), first_part, runs);
+            begin = at + 1;
+        } else {
+            count += own;
+        }
+    }
+    runs.push(MemberRun { place, parts: &parts[begin..], material, frame, first_part: *first_part });
+    *first_part += count as u32;
 }
 
 /// A body of the scene, to be named in errors.

@@ -369,6 +369,39 @@ fn a_group_is_its_members() {
     assert_same_picture(&one, &two, 0.0005);
 }
 
+/// A large group is prepared by several threads: each part has its number, its place and its material.
+#[test]
+fn all_members_of_a_large_group_are_met() {
+    let grid = |count: usize| (0..count).map(|at| v((at % 70) as f64, 0.0, (at / 70) as f64));
+    let balls = |at: DVec3| part(Shape::Sphere { radius: 0.1 }, at);
+    let pairs = |at: DVec3| BodyPart {
+        parts: vec![balls(v(-0.2, 0.0, 0.0)), balls(v(0.2, 0.0, 0.0))],
+        ..part(Shape::Union, at)
+    };
+    let group = |x: f64, parts: Vec<BodyPart>| BodyPart { parts, ..part(Shape::Group, v(x, 0.0, 0.0)) };
+    let own =
+        BodyPart { material: Some(MaterialChoice::own(glow(Color::WHITE))), ..balls(v(-1.0, 0.0, 0.0)) };
+    let large = group(100.0, grid(3000).map(pairs).chain([own]).collect());
+    let members = vec![
+        balls(v(-5.0, 0.0, 0.0)),
+        group(0.0, grid(5000).map(balls).collect()),
+        group(0.0, vec![large, balls(v(-6.0, 0.0, 0.0))]),
+        pairs(v(-7.0, 0.0, 0.0)),
+    ];
+    let whole = joined(Shape::Group, members, MaterialChoice::own(chalk()));
+    let scene = scene(vec![body(Shape::Sphere { radius: 0.1 }, v(-9.0, 0.0, 0.0), chalk()), whole]);
+    let render_scene = RenderScene::build(&scene).unwrap();
+    let mut number = 0;
+    scene.bodies[1].form().each_simple(DAffine3::IDENTITY, &mut |simple| {
+        let ray = ray(simple.frame.translation + DVec3::Y, DVec3::NEG_Y);
+        let found = render_scene.closest_hit(&ray).unwrap();
+        assert_eq!((found.body, found.part), (1, Some(number)));
+        assert!((found.position.y - 0.1).abs() < 1e-4);
+        number += 1;
+    });
+    assert_eq!(number, 1 + 5000 + 6001 + 1 + 2);
+}
+
 /// What is empty is not there, and does not harm.
 #[test]
 fn empty_bodies_are_not_seen() {
