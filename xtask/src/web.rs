@@ -152,6 +152,7 @@ fn make(is_small: bool) -> Result<()> {
     shell::run(
         command("cargo", &["run", "--quiet", "--package", "workbench", "--", "front-page"]).arg(&folder),
     )?;
+    write_manual(&folder)?;
     write_service_worker(&folder)?;
     compress(&folder)?;
     println!("{}", folder.display());
@@ -239,6 +240,20 @@ fn copy_page(folder: &Path) -> Result<()> {
         if let Some(name) = path.file_name() {
             fs::copy(&path, folder.join(name))?;
         }
+    }
+    Ok(())
+}
+
+/// Writes the pages of the manual, which the studio on a page does not bring along: pairs of path and text.
+fn write_manual(folder: &Path) -> Result<()> {
+    fs::create_dir_all(folder.join("manual"))?;
+    for language in ["en", "ru"] {
+        let (documents, mut files) = (root().join("docs").join(language), BTreeMap::new());
+        collect(&documents, &documents, &mut files)?;
+        files.retain(|name, _| name.ends_with(".md"));
+        let pages: Vec<_> =
+            files.iter().map(|(name, bytes)| (name, String::from_utf8_lossy(bytes))).collect();
+        fs::write(folder.join(format!("manual/{language}.json")), serde_json::to_vec(&pages)?)?;
     }
     Ok(())
 }

@@ -1,6 +1,9 @@
 // The worker in which the studio lives: it draws, and it may wait.
 
 const STACK = 4 << 20;
+// So long after the start the manual is loaded, and so long after that failed, milliseconds.
+const MANUAL_AFTER = 4000;
+const MANUAL_AGAIN = 15000;
 
 let glue = null;
 let studio = null;
@@ -95,6 +98,26 @@ async function start({ canvas, files, options, size, processors, folder, bytes }
     studio.tell(JSON.stringify(event));
   }
   drawIn(0);
+  setTimeout(loadManual, MANUAL_AFTER, ["en", "ru"]);
+}
+
+// Loads the pages of the manual in these languages, which nothing before the first picture needs.
+async function loadManual(languages) {
+  const left = [];
+  for (const language of languages) {
+    try {
+      const response = await fetch(new URL(`./manual/${language}.json`, import.meta.url));
+      for (const [path, text] of await response.json()) {
+        glue.putFile(`/manual/${language}/${path}`, new TextEncoder().encode(text));
+      }
+      drawIn(0);
+    } catch {
+      left.push(language);
+    }
+  }
+  if (left.length) {
+    setTimeout(loadManual, MANUAL_AGAIN, left);
+  }
 }
 
 // Compiles the program of so many bytes while it is loaded, and tells how far that is.

@@ -86,8 +86,12 @@ impl ManualWindow {
             return;
         }
         let sources = SOURCES.iter().enumerate();
-        let pages = sources.map(|(place, source)| markdown::read(source.text(language), place, source.path));
-        let pages: Vec<ManualPage> = pages.collect();
+        let pages =
+            sources.map(|(place, source)| Some(markdown::read(&source.text(language)?, place, source.path)));
+        let Some(pages) = pages.collect::<Option<Vec<ManualPage>>>() else {
+            self.library = None;
+            return;
+        };
         self.hits = search::hits(&pages, &self.search);
         self.library = Some((language, pages));
         // Blocks have other places in another language.
@@ -206,7 +210,10 @@ fn window_ui(ui: &mut Ui, texts: &Texts, manual: &mut ManualWindow) -> ManualRes
         });
         ui.separator();
         ui.allocate_ui_with_layout(ui.available_size(), Layout::top_down(Align::Min), |ui| {
-            let Some((_, pages)) = &manual.library else { return };
+            let Some((_, pages)) = &manual.library else {
+                ui.weak(texts.get("manual-loading"));
+                return;
+            };
             let Some(page) = pages.get(manual.place.page) else { return };
             let step = scrolled_by_keys(ui, manual.has_keys, &page.title);
             let shown = PageView { page, place: manual.place.page, marked: manual.marked, texts };

@@ -96,6 +96,7 @@ glossary-flip = FLIP
 manual-search = Поиск по всем страницам
 manual-nothing = Ничего не найдено. Все слова должны стоять в одном абзаце.
 manual-back = Назад
+manual-loading = Страницы ещё загружаются…
 manual-copy = Копировать
 manual-picture = Рисунок: { $name }
 

@@ -398,7 +398,7 @@ mod tests {
         for language in Language::ALL {
             for source in SOURCES {
                 let mut is_code = false;
-                for line in source.text(language).lines() {
+                for line in source.text(language).unwrap().lines() {
                     is_code ^= line.trim_start().starts_with("```");
                     // Formulas stand between dollars; each odd part is one.
                     let parts = line.split('$').enumerate().filter(|(place, _)| place % 2 == 1 && !is_code);

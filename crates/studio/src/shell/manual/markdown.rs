@@ -293,7 +293,7 @@ mod tests {
 
     fn all(language: Language) -> Vec<ManualPage> {
         let sources = SOURCES.iter().enumerate();
-        sources.map(|(place, source)| read(source.text(language), place, source.path)).collect()
+        sources.map(|(place, source)| read(&source.text(language).unwrap(), place, source.path)).collect()
     }
 
     fn spans(block: &Block) -> Vec<&TextSpan> {

@@ -1,4 +1,7 @@
-//! The pages of the manual: the documents of the repository, part of the program.
+//! The pages of the manual: the documents of the repository, part of the program. A page in a browser loads them once the
+//! studio is there, so that they do not keep it waiting.
+
+use std::borrow::Cow;
 
 use crate::base::texts::Language;
 
@@ -6,7 +9,9 @@ use crate::base::texts::Language;
 pub(super) struct ManualDocument {
     /// The path below the folder of a language.
     pub(super) path: &'static str,
+    #[cfg(not(target_family = "wasm"))]
     english: &'static str,
+    #[cfg(not(target_family = "wasm"))]
     russian: &'static str,
 }
 
@@ -14,7 +19,9 @@ macro_rules! sources {
     ($($path:literal),+ $(,)?) => {
         [$(ManualDocument {
             path: $path,
+            #[cfg(not(target_family = "wasm"))]
             english: include_str!(concat!("../../../../../docs/en/", $path)),
+            #[cfg(not(target_family = "wasm"))]
             russian: include_str!(concat!("../../../../../docs/ru/", $path)),
         }),+]
     };
@@ -44,12 +51,22 @@ pub(super) const SOURCES: &[ManualDocument] = &sources![
 ];
 
 impl ManualDocument {
-    /// The document's text in a language.
-    pub(super) const fn text(&self, language: Language) -> &'static str {
-        match language {
+    /// The document's text in a language; `None` while it is still loaded.
+    #[cfg(not(target_family = "wasm"))]
+    #[expect(clippy::unnecessary_wraps, reason = "it is loaded elsewhere")]
+    pub(super) const fn text(&self, language: Language) -> Option<Cow<'static, str>> {
+        Some(Cow::Borrowed(match language {
             Language::English => self.english,
             Language::Russian => self.russian,
-        }
+        }))
+    }
+
+    /// The document's text in a language; `None` while it is still loaded.
+    #[cfg(target_family = "wasm")]
+    pub(super) fn text(&self, language: Language) -> Option<Cow<'static, str>> {
+        let path = std::path::Path::new("/manual").join(language.letters().to_lowercase()).join(self.path);
+        let bytes = catoptric_platform::files::read_bytes(&path, u64::MAX).ok()?;
+        String::from_utf8(bytes).ok().map(Cow::Owned)
     }
 
     /// Whether it belongs to the one listed before it that stands for its folder.
