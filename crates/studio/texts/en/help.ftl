@@ -96,7 +96,7 @@ glossary-flip = FLIP
 manual-search = Search all pages
 manual-nothing = Nothing was found. All words must stand in one paragraph.
 manual-back = Back
-manual-loading = The pages are still loaded …
+manual-loading = The pages are still loading …
 manual-copy = Copy
 manual-picture = Picture: { $name }
 

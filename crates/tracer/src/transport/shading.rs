@@ -346,8 +346,8 @@ struct LightSample<W: Width> {
     power: Option<Vector<W::R>>,
 }
 
-/// What bodies let through on the way to a light, and the media in which the rays start. Its code is there once, not in
-/// each unit of the crate that calls it.
+/// What bodies let through on the way to a light, and the media in which the rays start. Never inlined: its
+/// code would be compiled in each codegen unit that calls it.
 #[inline(never)]
 fn transmittance<W: Width>(
     w: W,

@@ -53,7 +53,7 @@ pub(super) const SOURCES: &[ManualDocument] = &sources![
 impl ManualDocument {
     /// The document's text in a language; `None` while it is still loaded.
     #[cfg(not(target_family = "wasm"))]
-    #[expect(clippy::unnecessary_wraps, reason = "it is loaded elsewhere")]
+    #[expect(clippy::unnecessary_wraps, reason = "a browser has to load it")]
     pub(super) const fn text(&self, language: Language) -> Option<Cow<'static, str>> {
         Some(Cow::Borrowed(match language {
             Language::English => self.english,

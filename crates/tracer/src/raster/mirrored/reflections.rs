@@ -71,7 +71,7 @@ impl SimdKernel for ReflectionKernel<'_> {
                 waiting.columns[waiting.count % RAYS] = column;
                 waiting.count += 1;
             }
-            // In one place: it is long.
+            // Called in one place only: each call is a copy of long code.
             if waiting.count == RAYS || (texel.is_none() && waiting.count > 0) {
                 reflections.find(w, texels, &waiting, reflected);
                 waiting.count = 0;
