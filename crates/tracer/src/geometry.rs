@@ -130,7 +130,7 @@ impl Geometry {
     pub(crate) const FEW: usize = 48;
 
     /// Among so many bodies even neighboring rays part before they meet one, and order counts for more than company.
-    const VERY_MANY: u32 = 50_000;
+    pub(crate) const VERY_MANY: u32 = 50_000;
 
     /// Whether the rays of a stream that run into different octants are better searched for apart.
     pub(crate) fn parts_streams(&self) -> bool {

@@ -13,6 +13,7 @@ pub use geometry::AcceleratorChoice;
 pub use geometry::query::HitRecord;
 pub use geometry::ray::{NO_BODY, Ray, RayOrigin};
 pub use simd::vector::Vector;
+pub use simd::wide::SimdLevel;
 pub use simd::{Float, Float32};
 pub use transport::camera::RenderCamera;
 pub use transport::control::RenderControl;

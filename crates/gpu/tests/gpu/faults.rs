@@ -163,7 +163,8 @@ fn trees_without_end_are_refused() {
             .map(|_| ())
     };
     assert_eq!(draw(10), Ok(()));
-    assert_eq!(draw(64), Err(GpuError::Unsupported(UnsupportedOnGpu::LongTree)));
+    // With room for more generations a software driver compiles the shader for minutes.
+    assert_eq!(draw(20), Err(GpuError::Unsupported(UnsupportedOnGpu::LongTree)));
 }
 
 /// Glass balls one in the other: `count` of them around the origin.
@@ -189,7 +190,7 @@ fn more_media_than_there_is_room_for_are_refused() {
     let Some(gpu) = card("more_media_than_there_is_room_for_are_refused") else { return };
     let draw = |scene: &Scene| {
         let mut scene = scene.clone();
-        scene.tracing.generations = 64;
+        scene.tracing.generations = 20;
         let render_scene = stage_of(&scene);
         wait(render(&gpu, &render_scene, render_scene.camera(), SMALL, &RenderControl::default())).map(|_| ())
     };

@@ -18,7 +18,8 @@ struct StackEntry {
 struct Traversal {
     inverse: vec3<f32>,
     depth: u32,
-    // Whether what has no end is still to come, where that is a leaf.
+    // Whether what has no end is still to come, as a leaf like others: shaders are compiled with all calls unfolded, so that
+    // fewer places test a body.
     has_endless: bool,
     parts: array<StackEntry, DEPTH>,
 }
@@ -41,7 +42,7 @@ fn traversal_from(ray: Ray) -> Traversal {
     walk.inverse = vec3(box_inverse(ray.direction.x), box_inverse(ray.direction.y), box_inverse(ray.direction.z));
     // The root: its slots are found when it is opened.
     walk.depth = 1u;
-    walk.has_endless = ENDLESS_LEAF;
+    walk.has_endless = HAS_PLANES;
     walk.parts[0] = StackEntry(0u, slots_met(0u, ray.origin, walk.inverse, INFINITY));
     return walk;
 }

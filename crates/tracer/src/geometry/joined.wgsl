@@ -2,10 +2,6 @@
 // parts and their number; those that it lies outside of; its place in the order of volumes and the number of its gates,
 // with SURFACE if it is a surface without inside, of which rays may pass a side.
 
-// The bodies without end are a leaf of each walk, so that what tests a joined body stands in fewer places: shaders are
-// compiled with all calls unfolded.
-const ENDLESS_LEAF: bool = HAS_PLANES;
-
 fn is_joined(index: u32) -> bool {
     return body_kind(index) >= JOINED;
 }

@@ -124,9 +124,7 @@ fn nearer(t: f32, index: u32, than: ClosestHit) -> ClosestHit {
     return ClosestHit(than.t, than.body, than.slack, min(than.others, t - GRAZING * slack));
 }
 
-fn offer(index: u32, ray: Ray, media: ptr<function, Media>, best: ptr<function, ClosestHits>) {
-    var body: u32;
-    let met = first_meeting(index, ray, media, &body);
+fn offer(met: BodyIntersection, body: u32, ray: Ray, best: ptr<function, ClosestHits>) {
     if met.entering {
         (*best).entering = nearer(met.enter, body, (*best).entering);
         (*best).reach = min((*best).reach, reach_of(ray, (*best).entering.t));
@@ -161,90 +159,84 @@ fn first_of(best: ClosestHits, ray: Ray) -> HitRecord {
     return HitRecord(entering.t, entering.body, turned(entering.body, false), entering.t < INFINITY);
 }
 
-// The nearest body that a ray meets.
+// Hits that are contested: those that enter a body, and those that leave one.
+const ENTERING: u32 = 1u;
+const LEAVING: u32 = 2u;
+
+// The nearest body that a ray meets. A walk finds it, and where hits are contested, which is rare, another one settles them:
+// through the same code, since shaders are compiled with all calls unfolded.
 fn closest_hit(ray: Ray, media: ptr<function, Media>) -> HitRecord {
     let none = ClosestHit(INFINITY, 0u, 0.0, INFINITY);
     var best = ClosestHits(none, none, INFINITY);
-    var walk = traversal_from(ray);
+    var contested = 0u;
+    // What is settled by the present walk; nothing in the first.
+    var settled = 0u;
+    var nearest = none;
+    var nearest_cosine = 0.0;
+    var first = none;
     loop {
-        let leaf = traversal_next(&walk, ray, best.reach);
-        if leaf.count == 0u {
-            break;
+        var walk = traversal_from(ray);
+        loop {
+            let leaf = traversal_next(&walk, ray, best.reach);
+            if leaf.count == 0u {
+                break;
+            }
+            for (var index = leaf.first; index < leaf.first + leaf.count; index++) {
+                if settled != 0u && !is_joined(index) && !comes_before(index, first.body) {
+                    continue;
+                }
+                var body: u32;
+                let met = first_meeting(index, ray, media, &body);
+                if settled == 0u {
+                    offer(met, body, ray, &best);
+                } else {
+                    first = first_of_two(met, body, ray, nearest, nearest_cosine, first, settled == LEAVING);
+                }
+            }
         }
-        for (var index = leaf.first; index < leaf.first + leaf.count; index++) {
-            offer(index, ray, media, &best);
-        }
-    }
-    if HAS_PLANES && !ENDLESS_LEAF {
-        for (var index = frame.bounded; index < frame.bodies; index++) {
-            offer(index, ray, media, &best);
-        }
-    }
-    // One place calls what is rare: shaders are compiled with all calls unfolded.
-    var contested = select(0u, 1u, is_contested(ray, best.entering))
-        | select(0u, 2u, is_contested(ray, best.leaving));
-    while contested != 0u {
-        let leaving = (contested & 1u) == 0u;
-        var nearest = best.entering;
-        if leaving {
-            nearest = best.leaving;
-        }
-        let first = first_of_coincident(ray, media, nearest, leaving);
-        if leaving {
+        if settled == 0u {
+            contested = select(0u, ENTERING, is_contested(ray, best.entering))
+                | select(0u, LEAVING, is_contested(ray, best.leaving));
+        } else if settled == ENTERING {
+            best.entering = first;
+        } else {
             best.leaving = first;
+        }
+        contested &= ~settled;
+        if contested == 0u {
             break;
         }
-        best.entering = first;
-        contested &= 2u;
+        nearest = best.entering;
+        settled = ENTERING;
+        if (contested & ENTERING) == 0u {
+            nearest = best.leaving;
+            settled = LEAVING;
+        }
+        first = nearest;
+        nearest_cosine = crossing_cosine(nearest.body, ray, turned(nearest.body, settled == LEAVING));
+        best.reach = reach_of(ray, nearest.t);
     }
     return first_of(best, ray);
 }
 
 // Twin of query/coincident.rs: of the bodies that are entered, or left, where the nearest one is, the one that comes first
-// in the scene.
-fn first_of_coincident(ray: Ray, media: ptr<function, Media>, nearest: ClosestHit, leaving: bool) -> ClosestHit {
-    let reach = reach_of(ray, nearest.t);
-    var first = nearest;
-    var walk = traversal_from(ray);
-    loop {
-        let leaf = traversal_next(&walk, ray, reach);
-        if leaf.count == 0u {
-            break;
-        }
-        for (var index = leaf.first; index < leaf.first + leaf.count; index++) {
-            first = first_of_two(index, ray, media, nearest, first, leaving);
-        }
-    }
-    if HAS_PLANES && !ENDLESS_LEAF {
-        for (var index = frame.bounded; index < frame.bodies; index++) {
-            first = first_of_two(index, ray, media, nearest, first, leaving);
-        }
-    }
-    return first;
-}
-
-// `first`, or a body that comes before it in the scene and is crossed where the nearest one is.
+// in the scene: `first`, or the surface that was met.
 fn first_of_two(
-    index: u32,
+    met: BodyIntersection,
+    body: u32,
     ray: Ray,
-    media: ptr<function, Media>,
     nearest: ClosestHit,
+    nearest_cosine: f32,
     first: ClosestHit,
     leaving: bool,
 ) -> ClosestHit {
-    if !is_joined(index) && (index == nearest.body || comes_before(first.body, index)) {
-        return first;
-    }
-    var body: u32;
-    let met = first_meeting(index, ray, media, &body);
-    if is_joined(index) && (body == nearest.body || comes_before(first.body, body)) {
+    if body == nearest.body || comes_before(first.body, body) {
         return first;
     }
     let is_met = select(met.entering, met.leaving, leaving);
     let t = select(met.enter, met.exit, leaving);
     let slack = bodies[body].slack;
-    let own_cosine = crossing_cosine(body, ray, turned(body, leaving));
-    let cosine = max(own_cosine, crossing_cosine(nearest.body, ray, turned(nearest.body, leaving)));
+    let cosine = max(crossing_cosine(body, ray, turned(body, leaving)), nearest_cosine);
     let across = (t - nearest.t) * cosine;
     if !is_met || across > error_bound_at(ray, nearest.t, max(slack, nearest.slack)) {
         return first;
@@ -303,11 +295,6 @@ fn transmittance(ray: Ray, media: ptr<function, Media>, to_light: f32) -> vec3<f
         }
         if all(share == vec3(0.0)) {
             return share;
-        }
-    }
-    if HAS_PLANES && !ENDLESS_LEAF {
-        for (var index = frame.bounded; index < frame.bodies; index++) {
-            share = bounded(share * filter_through(index, ray, media, distance));
         }
     }
     if ABSORBS {

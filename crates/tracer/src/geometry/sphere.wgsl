@@ -5,7 +5,7 @@ alias Box = vec4<f32>;
 
 struct Traversal {
     next: u32,
-    // Whether what has no end is still to come, where that is a leaf.
+    // Whether what has no end is still to come, as a leaf.
     has_endless: bool,
 }
 
@@ -16,7 +16,7 @@ struct Leaf {
 }
 
 fn traversal_from(ray: Ray) -> Traversal {
-    return Traversal(0u, ENDLESS_LEAF);
+    return Traversal(0u, HAS_PLANES);
 }
 
 // The next bodies that the ray may meet before `reach`.

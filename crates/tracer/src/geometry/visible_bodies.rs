@@ -147,16 +147,11 @@ impl BoundingCone {
 pub(crate) mod tests {
     use std::f64::consts::PI;
 
-    use catoptric_scene::{
-        Anchor, Body, Light, Material, MaterialChoice, ParaboloidDepth, Phong, Placement, Scene, Shape,
-    };
-    use proptest::collection::vec;
+    use catoptric_scene::{Anchor, Body, Light, ParaboloidDepth, Placement, Scene, Shape};
     use proptest::prelude::*;
 
     use super::*;
     use crate::geometry::space::RenderSpace;
-    use crate::transport::control::RenderControl;
-    use crate::transport::render::{RenderSettings, render};
     use crate::transport::scene::RenderScene;
 
     pub(crate) fn point(extent: f64) -> impl Strategy<Value = DVec3> {
@@ -206,30 +201,6 @@ pub(crate) mod tests {
         )
     }
 
-    /// The body, moved so that a point of its own frame lies there.
-    pub(crate) fn moved((mut body, within): (Body, DVec3), to: DVec3) -> Body {
-        let from = body.placement.world_from_body().transform_point3(within);
-        if let Anchor::Frame { position, .. } = &mut body.placement.anchor {
-            *position += to - from;
-        }
-        body
-    }
-
-    fn of(body: Body, transmission: f64) -> Body {
-        let material = Material::Phong(Phong {
-            diffuse: 0.3,
-            reflection: Some(0.2),
-            transmission,
-            ior: 1.4,
-            ..Phong::default()
-        });
-        Body { material: MaterialChoice::Inline(Box::new(material)), ..body }
-    }
-
-    fn floor() -> Body {
-        Body { shape: Shape::Plane, ..Body::default() }
-    }
-
     fn vector(v: DVec3) -> Vector<f32> {
         v.as_vec3().into()
     }
@@ -255,31 +226,6 @@ pub(crate) mod tests {
             let axis = (direction + aside).normalize();
             let cos = axis.dot(direction) as f32 - 1e-6;
             prop_assert!(sight.is_met_by_cone(vector(axis), cos, (1.0 - cos * cos).sqrt()));
-        }
-
-        /// Candidates on the way to lights save time, and that is all.
-        #[test]
-        fn candidates_change_no_picture(
-            bodies in vec((body(), point(1.0), any::<bool>()), 2..6),
-            lights in vec(point(8.0), 1..3),
-            stands in any::<bool>(),
-        ) {
-            let placed = |(body, at, is_glass)| of(moved(body, at), if is_glass { 0.6 } else { 0.0 });
-            let mut bodies: Vec<_> = bodies.into_iter().map(placed).collect();
-            if stands {
-                bodies.push(floor());
-            }
-            let light = |position| Light { position, ..Light::default() };
-            let lights = lights.into_iter().map(light).collect();
-            let scene = RenderScene::build(&Scene { bodies: bodies.into(), lights, ..Scene::default() }).unwrap();
-            let blind = scene.without_candidates();
-            let settings = RenderSettings { width: 40, height: 24, samples: 1 };
-            let [seen, unseen] = [scene, blind].map(|scene| render(&scene, settings, &RenderControl::default()).unwrap());
-            prop_assert_eq!(seen.counts, unseen.counts);
-            let bits = |picture: &catoptric_picture::Picture| {
-                picture.pixels().iter().flatten().map(|part| part.to_bits()).collect::<Vec<_>>()
-            };
-            prop_assert_eq!(bits(&seen.picture), bits(&unseen.picture));
         }
 
         /// The sphere around a body is no larger than it needs to be: near its surface, on no side can it be moved away.

@@ -12,9 +12,10 @@ use crate::simd::eight::SimdFloat8;
 use crate::simd::pair::PairWidth;
 use crate::simd::{Float, Float32, MOST_LANES, Mask, SceneKernel, SimdKernel, Width, Word};
 
-/// A width that the processor has.
+/// A width that the processor has: so many rays are traced side by side. [`RenderScene::build`](crate::RenderScene::build)
+/// takes the best one.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct SimdLevel {
+pub struct SimdLevel {
     level: Level,
     packets: Packets,
 }
@@ -48,8 +49,7 @@ impl SimdLevel {
     }
 
     /// All that differ, by name, the widest first.
-    #[cfg(test)]
-    pub(crate) fn all() -> Vec<(&'static str, Self)> {
+    pub fn all() -> Vec<(&'static str, Self)> {
         let widest = Self::widest();
         #[cfg_attr(not(target_arch = "x86_64"), expect(unused_mut))]
         let mut all = vec![("widest", widest), ("with doubles", Self::with_doubles())];
@@ -64,9 +64,8 @@ impl SimdLevel {
         all
     }
 
-    /// Whether it rounds as the widest of this processor does.
-    #[cfg(test)]
-    pub(crate) fn rounds_like_widest(self) -> bool {
+    /// Whether it rounds as the widest of this processor does, so that light is the same to the last bit.
+    pub fn rounds_like_widest(self) -> bool {
         #[cfg(target_arch = "x86_64")]
         return self.level.as_avx2().is_some() == Level::new().as_avx2().is_some();
         #[cfg(not(target_arch = "x86_64"))]

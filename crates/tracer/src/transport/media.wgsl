@@ -93,11 +93,6 @@ fn media_at_point(ray: Ray, media: ptr<function, Media>) {
             media_enter_if_inside(ray, index, media);
         }
     }
-    if !ENDLESS_LEAF {
-        for (var index = frame.bounded; index < frame.bodies; index++) {
-            media_enter_if_inside(ray, index, media);
-        }
-    }
 }
 
 fn media_enter_if_inside(ray: Ray, index: u32, media: ptr<function, Media>) {

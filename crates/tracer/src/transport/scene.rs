@@ -115,6 +115,9 @@ impl RenderScene {
     /// Up to this many bounded bodies, all bounding spheres are tested; from then on a hierarchy of boxes is quicker.
     pub const FEW: usize = Geometry::FEW;
 
+    /// From so many bounded bodies on, rays from the eye are sorted by what they may meet, as all others are in a hierarchy.
+    pub const VERY_MANY: usize = Geometry::VERY_MANY as usize;
+
     /// Prepares `scene`, whose values are taken to be valid. Hidden bodies and lights are left out.
     ///
     /// # Errors
@@ -219,6 +222,15 @@ impl RenderScene {
     /// This scene with another limit of generations (at least 1).
     pub fn with_generations(mut self, generations: u32) -> Self {
         self.generations = generations.clamp(1, Tracing::MAX_GENERATIONS);
+        self
+    }
+
+    /// This scene traced in a width of choice, for measuring what the best one is worth. Bodies in double precision need the
+    /// width that knows of them, which stays then.
+    pub fn at_level(mut self, level: SimdLevel) -> Self {
+        if !self.geometry.has_doubles() {
+            self.lanes = level;
+        }
         self
     }
 
@@ -333,10 +345,9 @@ impl RenderScene {
         self.to_lights.get_or_init(|| self.lights.iter().map(to_light).collect())
     }
 
-    /// The scene with all bodies as candidates of shadow rays.
-    #[cfg(test)]
-    pub(crate) fn without_candidates(&self) -> Self {
-        Self { to_lights: OnceLock::from(Vec::new()), ..self.clone() }
+    /// This scene with all bodies as candidates of shadow rays, for measuring what it is worth to know fewer.
+    pub fn without_candidates(self) -> Self {
+        Self { to_lights: OnceLock::from(Vec::new()), ..self }
     }
 
     pub(crate) fn material(&self, body: &RenderBody) -> &RenderMaterial {

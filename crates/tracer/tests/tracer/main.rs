@@ -7,6 +7,7 @@
     reason = "helpers of tests may panic as tests may"
 )]
 
+mod levels;
 mod methods;
 mod mitsuba;
 mod proof;

@@ -1,8 +1,5 @@
 // For scenes without joined bodies.
 
-// Whether the bodies without end are a leaf of each walk.
-const ENDLESS_LEAF: bool = false;
-
 fn is_joined(index: u32) -> bool {
     return false;
 }

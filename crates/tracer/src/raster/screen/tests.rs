@@ -1,14 +1,16 @@
 use catoptric_scene::{Body, Camera, MaterialChoice, Phong, Placement, Projection, Scene, Shape};
-use glam::UVec2;
+use glam::{DVec2, UVec2};
 use proptest::prelude::*;
 
 use super::*;
+use crate::geometry::ray::RayOrigin;
 use crate::raster::gbuffer::depth_pyramid::DepthPyramid;
 use crate::raster::sample_sums::FrameSize;
 use crate::simd::wide::SimdLevel;
 use crate::simd::{SimdKernel, Width};
-use crate::transport::control::RenderControl;
+use crate::transport::pick::RayIntersection;
 use crate::transport::render::RenderSettings;
+use crate::transport::sampling::sample_offset;
 use crate::transport::scene::RenderScene;
 
 const RAYS: usize = 16;
@@ -26,6 +28,29 @@ impl SimdKernel for MarchKernel<'_> {
     #[inline(always)]
     fn run<W: Width>(self, _: W) -> [MarchOutcome; RAYS] {
         self.screen.march_all(self.texels, vector64(self.directions), (1 << RAYS) - 1)
+    }
+}
+
+/// The points of a sample, by one ray at a time: so these tests need no code of the other widths.
+fn find_first_hits(buffer: &mut GBuffer, scene: &RenderScene, sample: u32) {
+    buffer.offset = sample_offset(sample);
+    let FrameSize { width, height } = buffer.frame;
+    let size = DVec2::new(width as f64, height as f64);
+    for (index, texel) in buffer.texels.iter_mut().enumerate() {
+        let at = DVec2::new((index % width) as f64, (index / width) as f64) + buffer.offset;
+        let ray = scene.camera().ray(at, size);
+        *texel = match scene.closest_hit(&ray) {
+            Some(RayIntersection { hit, position, normal, .. }) => {
+                let position = position - scene.geometry.space.origin;
+                GBufferTexel {
+                    start: RayOrigin { body: hit.body, inwards: hit.leaving },
+                    depth: scene.camera().depth(position) as f32,
+                    position: position.as_vec3().into(),
+                    normal: normal.into(),
+                }
+            }
+            None => GBufferTexel { normal: ray.direction.into(), ..GBufferTexel::EMPTY },
+        };
     }
 }
 
@@ -75,7 +100,7 @@ proptest! {
         let size = UVec2::new(72, 50);
         let settings = RenderSettings { width: size.x, height: size.y, samples: 1 };
         let mut buffer = GBuffer::new(FrameSize::new(settings).unwrap()).unwrap();
-        buffer.find_first_hits(&scene, scene.camera(), sample, &RenderControl::default()).unwrap();
+        find_first_hits(&mut buffer, &scene, sample);
         let mut unknown = buffer.clone();
         unknown.depths = DepthPyramid::unknown(buffer.frame);
         buffer.depths.find(&buffer.texels);

@@ -115,6 +115,37 @@ fn a_cube_map_of_a_far_background_is_the_traced_one() {
     assert!(off < 0.02, "{off}");
 }
 
+#[test]
+fn a_cube_map_shows_in_each_direction_what_lies_there() {
+    // Six walls of six colors around the point: on each face its own color, up to the edges.
+    let walls = [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y, DVec3::Z, DVec3::NEG_Z];
+    let color = |wall: DVec3| (wall + DVec3::splat(1.5)) / 4.0;
+    let wall = |wall: DVec3| {
+        let [r, g, b] = color(wall).to_array();
+        block(2.0 - wall.abs(), 1.5 * wall, glow(r, g, b))
+    };
+    let scene = Scene { bodies: walls.map(wall).into(), ..Scene::default() };
+    let control = RenderControl::default();
+    let (map, counts) = CubeMap::render(&render_scene(&scene), DVec3::ZERO, 8, &control).unwrap();
+    assert_eq!(counts.primary, 6 * 10 * 10);
+    // The spiral of equal areas (Vogel 1979).
+    const COUNT: u32 = 4000;
+    for index in 0..COUNT {
+        let z = 1.0 - (2.0 * f64::from(index) + 1.0) / f64::from(COUNT);
+        let (sin, cos) = (f64::from(index) * 2.399_963_229_728_653).sin_cos();
+        let direction = DVec3::new((1.0 - z * z).sqrt() * cos, (1.0 - z * z).sqrt() * sin, z);
+        let largest = direction.abs().max_element();
+        let second = direction.abs().element_sum() - largest - direction.abs().min_element();
+        // Up to the middle of the last pixel.
+        if second < 0.87 * largest {
+            let there =
+                walls.into_iter().max_by(|a, b| a.dot(direction).total_cmp(&b.dot(direction))).unwrap();
+            let light = map.light(direction.as_vec3()).as_dvec3();
+            assert!((light - color(there)).length() < 1e-5, "{light} for {direction}");
+        }
+    }
+}
+
 /// A mirror ball in a room of six planes of six colors.
 fn room_of_planes() -> Scene {
     let wall = |position, rotation, r, g, b| turned(Shape::Plane, position, rotation, glow(r, g, b));

@@ -4,13 +4,14 @@ use catoptric_scene::{
     Anchor, Body, Color, Falloff, FresnelTerm, Material, ParaboloidDepth, Pattern, Phong, Placement,
     Projection, Scene, Shadow, Shape, SolidKind, SolidTexture, Tracing,
 };
+use catoptric_tracer::{RenderControl, RenderSettings, render};
 use glam::DVec3;
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
 
 use crate::proof::common::oracle::Oracle;
-use crate::proof::common::{camera, cases, light, picture, placed, plane, scene, v};
+use crate::proof::common::{camera, cases, light, picture, placed, plane, render_scene, scene, v};
 
 fn color() -> impl Strategy<Value = Color> {
     prop::array::uniform3(0.1..1.0_f64).prop_map(Color::from)
@@ -134,6 +135,20 @@ fn any_scene() -> impl Strategy<Value = Scene> {
             scene
         },
     )
+}
+
+proptest! {
+    #![proptest_config(cases(SCENES))]
+
+    /// Candidates on the way to lights save time, and that is all.
+    #[test]
+    fn candidates_change_no_picture(scene in any_scene()) {
+        let settings = RenderSettings { width: 40, height: 24, samples: 1 };
+        let drawn = |scene| render(&scene, settings, &RenderControl::default()).unwrap();
+        let (few, all) = (drawn(render_scene(&scene)), drawn(render_scene(&scene).without_candidates()));
+        prop_assert_eq!(few.counts, all.counts);
+        prop_assert!(few.picture == all.picture);
+    }
 }
 
 const SCENES: u32 = 60;
