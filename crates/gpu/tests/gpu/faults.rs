@@ -163,7 +163,7 @@ fn trees_without_end_are_refused() {
             .map(|_| ())
     };
     assert_eq!(draw(10), Ok(()));
-    // With room for more generations a software driver compiles the shader for minutes.
+    // With room for more generations a software driver compiles the shader for a minute.
     assert_eq!(draw(20), Err(GpuError::Unsupported(UnsupportedOnGpu::LongTree)));
 }
 
