@@ -86,6 +86,26 @@ fn every_kind_of_shader_is_valid() {
     }
 }
 
+/// Numbers of single precision whose digits name one beyond the largest, `3.4028235e38f`, are rounded to it by naga and
+/// refused by Tint, Chromium's compiler.
+#[test]
+fn no_number_is_beyond_single_precision() {
+    let words = |source: &str| -> Vec<String> {
+        let is_within = |c: char| c.is_ascii_alphanumeric() || c == '.' || c == '_';
+        source.split(|c| !is_within(c)).map(str::to_owned).collect()
+    };
+    let is_beyond = |word: &String| {
+        let digits = word.strip_suffix('f').filter(|digits| !digits.starts_with("0x")).unwrap_or(word);
+        let is_number = digits.starts_with(|first: char| first.is_ascii_digit());
+        is_number && digits.parse::<f64>().is_ok_and(|number| number.abs() > f64::from(f32::MAX))
+    };
+    assert!(is_beyond(&"3.4028235e38f".to_owned()));
+    for kind in kinds() {
+        let beyond: Vec<String> = words(&shader(&kind)).into_iter().filter(is_beyond).collect();
+        assert!(beyond.is_empty(), "{kind:?}: {beyond:?}");
+    }
+}
+
 /// Scenes without pictures pay nothing for them.
 #[test]
 fn shaders_without_pictures_know_nothing_of_them() {

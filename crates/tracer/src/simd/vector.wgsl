@@ -1,6 +1,6 @@
 // Twin of vector.rs. Infinity is the largest finite number here: shaders may be compiled as if there were no others.
 
-const INFINITY: f32 = 3.4028235e38f;
+const INFINITY: f32 = 0x1.fffffep+127f;
 
 fn normalize_or(vector: vec3<f32>, otherwise: vec3<f32>) -> vec3<f32> {
     let length = sqrt(dot(vector, vector));
