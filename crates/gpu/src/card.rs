@@ -49,6 +49,10 @@ impl Gpu {
         // Errors are looked for where they arise; one that arises elsewhere must not end the program.
         device.on_uncaptured_error(Arc::new(|_| {}));
         let watch = LossWatch::over(&device, || {});
+        if cfg!(target_family = "wasm") {
+            // Not every answer is waited for there.
+            watch.mind_errors();
+        }
         Self::new(device, queue, &info, watch)
     }
 
@@ -97,6 +101,13 @@ impl Gpu {
         let gpu = Self { device, queue, info, pipelines, watch };
         gpu.check_alive()?;
         Ok(gpu)
+    }
+
+    /// Calls the card so where it is told of: browsers say little of a card to the program itself.
+    #[must_use]
+    pub fn with_name(mut self, name: String) -> Self {
+        self.info.name = name;
+        self
     }
 
     /// What is known of the card.
@@ -150,6 +161,16 @@ impl Gpu {
             Some(fault) => Err(GpuError::Refused(one_line(&fault.to_string()))),
             None => Ok(done),
         }
+    }
+
+    /// What `act` does with the device, where nothing goes wrong unless the card is lost. A page does not wait for the
+    /// driver's word on that, which takes a turn of its worker; there an error is a loss.
+    pub(crate) async fn trusted<T>(&self, act: impl FnOnce(&wgpu::Device) -> T) -> Result<T, GpuError> {
+        if cfg!(target_family = "wasm") {
+            self.check_alive()?;
+            return Ok(act(&self.device));
+        }
+        self.guarded(0, act).await
     }
 
     /// Memory on the card.

@@ -1,6 +1,15 @@
 //! The compiling of shaders, each once.
 
+#[cfg(target_family = "wasm")]
+#[path = "compile/page.rs"]
+mod beside;
+#[cfg(not(target_family = "wasm"))]
+#[path = "compile/system.rs"]
+mod beside;
+
 use std::future::poll_fn;
+use std::io;
+use std::sync::Arc;
 
 use catoptric_tracer::shaders::{ENTRY_POINT, ShaderSpecialization, shader};
 
@@ -33,11 +42,27 @@ impl Gpu {
         self.pipeline(special).await.map(|_| ())
     }
 
+    /// Compiles the shader for such scenes beside other work, and calls `ready` then, however it ends: what goes wrong is
+    /// told when it is drawn with.
+    ///
+    /// # Errors
+    /// When the system gives no thread.
+    pub fn prepare_beside(
+        self: &Arc<Self>,
+        special: ShaderSpecialization,
+        ready: impl FnOnce() + Send + 'static,
+    ) -> io::Result<()> {
+        beside::prepare(Arc::clone(self), special, ready)
+    }
+
     async fn compile(&self, claim: PipelineClaim<'_>) -> Result<wgpu::ComputePipeline, GpuError> {
+        let source = shader(&claim.special());
+        // What is compiled already is not compiled again while this is alive.
+        let _ahead = beside::compile_ahead(&self.device, &source, ENTRY_POINT).await;
         let compiled = self.guarded(0, |device| {
             let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
                 label: Some("tracer"),
-                source: wgpu::ShaderSource::Wgsl(shader(&claim.special()).into()),
+                source: wgpu::ShaderSource::Wgsl(source.into()),
             });
             device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
                 label: Some("tracer"),

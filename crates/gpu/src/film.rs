@@ -180,7 +180,7 @@ impl GpuFilm {
         let all = all.chain(rest);
         let entries: Vec<wgpu::BindGroupEntry<'_>> =
             (0..).zip(all).map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource }).collect();
-        gpu.guarded(0, |device| {
+        gpu.trusted(|device| {
             device.create_bind_group(&wgpu::BindGroupDescriptor {
                 label: Some("stage and film"),
                 layout: &gpu.pipelines.layout,
@@ -197,7 +197,7 @@ impl GpuFilm {
         bindings: &wgpu::BindGroup,
         tiles: u32,
     ) -> Result<(), GpuError> {
-        gpu.guarded(0, |device| {
+        gpu.trusted(|device| {
             let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
             encoder.clear_buffer(&self.pixels, 0, Some(FILM_HEAD));
             let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
@@ -259,7 +259,7 @@ impl GpuFilm {
         let mut start = FILM_HEAD;
         for piece in to.chunks_mut(PIECE as usize) {
             let bytes = piece.len() as u64 * FILM_PIXEL;
-            gpu.guarded(0, |device| {
+            gpu.trusted(|device| {
                 let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
                 encoder.copy_buffer_to_buffer(&self.pixels, start, &staging, 0, bytes);
                 gpu.queue.submit([encoder.finish()]);

@@ -45,7 +45,7 @@ pub(crate) struct PipelineClaim<'p> {
 
 impl Pipelines {
     pub(crate) fn new(device: &wgpu::Device) -> Self {
-        let entries: Vec<wgpu::BindGroupLayoutEntry> = (0..BINDINGS).map(entry).collect();
+        let entries = layout_entries();
         let layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
             label: Some("stage and film"),
             entries: &entries,
@@ -111,6 +111,11 @@ impl Drop for PipelineClaim<'_> {
     fn drop(&mut self) {
         self.pipelines.end(self.special, None);
     }
+}
+
+/// What the shader is bound to.
+pub(crate) fn layout_entries() -> Vec<wgpu::BindGroupLayoutEntry> {
+    (0..BINDINGS).map(entry).collect()
 }
 
 fn entry(binding: u32) -> wgpu::BindGroupLayoutEntry {

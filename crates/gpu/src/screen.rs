@@ -14,6 +14,8 @@ pub struct GpuScreen {
     pipeline: wgpu::ComputePipeline,
     uniform: wgpu::Buffer,
     pictures: Vec<Arc<GpuPicture>>,
+    /// What pictures of a size were read through.
+    staging: Option<([u32; 2], wgpu::Buffer)>,
     last_number: u64,
 }
 
@@ -52,7 +54,7 @@ impl GpuScreen {
             })
         });
         let pipeline = compiled.await?;
-        Ok(Self { pipeline, uniform, pictures: Vec::new(), last_number: 0 })
+        Ok(Self { pipeline, uniform, pictures: Vec::new(), staging: None, last_number: 0 })
     }
 
     /// Develops a film.
@@ -70,7 +72,7 @@ impl GpuScreen {
         let [scale, curve] = development.words();
         let words: [u32; Self::UNIFORM] = [scale, curve, size[0], size[1]];
         gpu.write(&self.uniform, 0, bytemuck::bytes_of(&words)).await?;
-        gpu.guarded(0, |device| {
+        gpu.trusted(|device| {
             let bindings = device.create_bind_group(&wgpu::BindGroupDescriptor {
                 label: Some("development"),
                 layout: &self.pipeline.get_bind_group_layout(0),
@@ -94,6 +96,20 @@ impl GpuScreen {
         .await?;
         self.pictures.push(Arc::clone(&picture));
         Ok(picture)
+    }
+
+    /// The codes of a picture as [`GpuPicture::read`] gives them, for who reads one after the other.
+    ///
+    /// # Errors
+    /// When there is too little memory, or the card is lost.
+    pub async fn read(&mut self, picture: &GpuPicture) -> Result<Vec<u8>, GpuError> {
+        let staging = match self.staging.take() {
+            Some((size, staging)) if size == picture.size => staging,
+            _ => picture.staging().await?,
+        };
+        let codes = picture.read_through(&staging).await?;
+        self.staging = Some((picture.size, staging));
+        Ok(codes)
     }
 
     /// A texture of a size that nobody shows; others that nobody shows are freed.
@@ -136,7 +152,7 @@ impl GpuPicture {
             })
         });
         let texture = allocated.await?;
-        let view = gpu.guarded(0, |_| texture.create_view(&wgpu::TextureViewDescriptor::default())).await?;
+        let view = gpu.trusted(|_| texture.create_view(&wgpu::TextureViewDescriptor::default())).await?;
         Ok(Self { number, size, texture, view, gpu: Arc::clone(gpu) })
     }
 
@@ -165,23 +181,36 @@ impl GpuPicture {
     /// # Errors
     /// When there is too little memory, or the card is lost.
     pub async fn read(&self) -> Result<Vec<u8>, GpuError> {
-        let row = 4 * self.size[0];
-        let padded = row.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
-        let bytes = u64::from(padded) * u64::from(self.size[1]);
+        let staging = self.staging().await?;
+        self.read_through(&staging).await
+    }
+
+    /// Memory for its codes on their way.
+    async fn staging(&self) -> Result<wgpu::Buffer, GpuError> {
+        let bytes = u64::from(self.padded_row()) * u64::from(self.size[1]);
         let usage = wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST;
-        let staging = self.gpu.buffer("a picture on its way", bytes, usage).await?;
-        let copied = self.gpu.guarded(0, |device| {
+        self.gpu.buffer("a picture on its way", bytes, usage).await
+    }
+
+    /// Bytes from one row to the next in such memory.
+    fn padded_row(&self) -> u32 {
+        (4 * self.size[0]).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT)
+    }
+
+    async fn read_through(&self, staging: &wgpu::Buffer) -> Result<Vec<u8>, GpuError> {
+        let (row, padded) = (4 * self.size[0], self.padded_row());
+        let copied = self.gpu.trusted(|device| {
             let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
             let layout = wgpu::TexelCopyBufferLayout { bytes_per_row: Some(padded), ..Default::default() };
             encoder.copy_texture_to_buffer(
                 self.texture.as_image_copy(),
-                wgpu::TexelCopyBufferInfo { buffer: &staging, layout },
+                wgpu::TexelCopyBufferInfo { buffer: staging, layout },
                 extent(self.size),
             );
             self.gpu.queue.submit([encoder.finish()]);
         });
         copied.await?;
-        let taken = self.gpu.read(&staging, bytes, |bytes| {
+        let taken = self.gpu.read(staging, u64::from(padded) * u64::from(self.size[1]), |bytes| {
             let rows = bytes.chunks(padded as usize).filter_map(|line| line.get(..row as usize));
             rows.flatten().copied().collect()
         });

@@ -2,83 +2,41 @@
 
 use std::sync::Arc;
 
-use catoptric_gpu::{Gpu, GpuError, GpuFilm, GpuScene, GpuScreen, wait};
+use catoptric_gpu::GpuError;
 use catoptric_picture::SizeError;
-use catoptric_platform::threads;
-use catoptric_tracer::shaders::{ShaderSpecialization, UnsupportedOnGpu};
 use catoptric_tracer::{Film, RayCounts, RenderCamera, RenderControl, RenderError, RenderScene};
+
+use crate::card::{CardFilm, CardPort, NoAnswer};
 
 /// The light of a picture.
 pub(crate) enum Canvas {
     Processor(Film),
-    Card(Box<GpuFilm>),
+    Card(CardFilm),
 }
 
-/// A graphics card that draws, with its copy of the scene.
-pub(crate) struct CardRenderer {
-    pub(crate) gpu: Arc<Gpu>,
-    pub(crate) render_scene: GpuScene,
-    pub(crate) screen: GpuScreen,
-    /// What in the present scene it cannot draw.
-    pub(crate) refused: Option<GpuError>,
-    /// The shaders that were begun to compile in the background.
-    begun: Vec<ShaderSpecialization>,
+/// A sample that was added to every pixel.
+pub(crate) struct AddedSample {
+    pub(crate) rays: RayCounts,
+    /// The pixels that a card traced for it, and what they took, milliseconds.
+    pub(crate) on_card: Option<(u64, f64)>,
 }
 
 /// The reason why a pass was not finished.
 pub(crate) enum PassError {
     Cancelled,
+    /// It is under way, on a card that is not waited for.
+    UnderWay,
     Size(SizeError),
     Card(GpuError),
 }
 
-impl CardRenderer {
-    pub(crate) fn new(gpu: Arc<Gpu>) -> Result<Self, GpuError> {
-        let (render_scene, screen) = (wait(GpuScene::new(&gpu))?, wait(GpuScreen::new(&gpu))?);
-        Ok(Self { gpu, render_scene, screen, refused: None, begun: Vec::new() })
-    }
-
-    /// Forgets what it could not draw, if it may be able to now: another scene, or from elsewhere.
-    pub(crate) fn look_again(&mut self, is_other_scene: bool) {
-        let is_of_eye = matches!(self.refused, Some(GpuError::Unsupported(UnsupportedOnGpu::EyeMedia(_))));
-        if is_other_scene || is_of_eye {
-            self.refused = None;
-        }
-    }
-
-    /// Sends what is new of a scene. False while its shader is compiled; then `ready` is called later.
-    pub(crate) fn prepare(
-        &mut self,
-        render_scene: &RenderScene,
-        camera: &RenderCamera,
-        ready: impl FnOnce() + Send + 'static,
-    ) -> Result<bool, GpuError> {
-        wait(self.render_scene.follow(&self.gpu, render_scene, camera))?;
-        let special = self.render_scene.specialization(render_scene, camera)?;
-        if self.gpu.is_ready_for(special) {
-            return Ok(true);
-        }
-        if !self.begun.contains(&special) {
-            let gpu = Arc::clone(&self.gpu);
-            let compile = move || {
-                // What goes wrong is told when it is drawn with.
-                let _ = wait(gpu.prepare_for(special));
-                ready();
-            };
-            if threads::start_or_do("shader", compile).is_ok() {
-                self.begun.push(special);
-            }
-        }
-        Ok(false)
-    }
-}
-
 impl Canvas {
-    /// A canvas without light, on `card` if there is one.
-    pub(crate) fn new(card: Option<&CardRenderer>, [width, height]: [u32; 2]) -> Result<Self, PassError> {
-        Ok(match card {
-            Some(card) => Self::Card(Box::new(wait(GpuFilm::new(&card.gpu, width, height))?)),
-            None => Self::Processor(Film::new(width, height)?),
+    /// A canvas without light, on the card or not.
+    pub(crate) fn new(is_on_card: bool, [width, height]: [u32; 2]) -> Result<Self, SizeError> {
+        Ok(if is_on_card {
+            Self::Card(CardFilm::new([width, height]))
+        } else {
+            Self::Processor(Film::new(width, height)?)
         })
     }
 
@@ -113,16 +71,19 @@ impl Canvas {
     /// Adds a sample to every pixel.
     pub(crate) fn add_sample(
         &mut self,
-        card: Option<&CardRenderer>,
-        render_scene: &RenderScene,
+        card: Option<&CardPort>,
+        render_scene: &Arc<RenderScene>,
         camera: &RenderCamera,
-        control: &RenderControl,
-    ) -> Result<RayCounts, PassError> {
+        control: &Arc<RenderControl>,
+    ) -> Result<AddedSample, PassError> {
         match (self, card) {
-            (Self::Processor(film), _) => Ok(film.add_sample(render_scene, camera, control)?),
+            (Self::Processor(film), _) => {
+                let rays = film.add_sample(render_scene, camera, control)?;
+                Ok(AddedSample { rays, on_card: None })
+            }
             (Self::Card(film), Some(card)) => {
-                let scenes = (render_scene, &card.render_scene);
-                Ok(wait(film.add_samples(&card.gpu, scenes, camera, 1, control))?.counts)
+                let pass = card.sample(film, render_scene, camera, control)?;
+                Ok(AddedSample { rays: pass.rays, on_card: Some(pass.work) })
             }
             // The card was taken away: what was drawn on it is of no use.
             (Self::Card(_), None) => Err(PassError::Cancelled),
@@ -142,6 +103,15 @@ impl From<RenderError> for PassError {
 impl From<SizeError> for PassError {
     fn from(error: SizeError) -> Self {
         Self::Size(error)
+    }
+}
+
+impl From<NoAnswer> for PassError {
+    fn from(none: NoAnswer) -> Self {
+        match none {
+            NoAnswer::Yet => Self::UnderWay,
+            NoAnswer::Gpu(error) => error.into(),
+        }
     }
 }
 

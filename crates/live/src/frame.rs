@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
-use catoptric_gpu::{GpuError, GpuPicture, wait};
+use catoptric_gpu::{GpuError, wait};
 use catoptric_scene::Camera;
 use catoptric_tracer::RayCounts;
 use glam::Vec2;
 
+use crate::card::CardPicture;
 use crate::request::DisplayContent;
 
 /// A picture of the view with what is drawn over it. All belongs to the same request.
@@ -31,7 +32,7 @@ pub struct Frame {
     /// see [`Self::codes`].
     pub pixels: Arc<Vec<u8>>,
     /// The picture in the memory of the graphics card that drew it.
-    pub card: Option<Arc<GpuPicture>>,
+    pub card: Option<Arc<CardPicture>>,
     /// Samples per pixel.
     pub samples: u32,
     /// What tracing and developing its last pass took.

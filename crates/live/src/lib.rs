@@ -10,6 +10,7 @@
 //! A [`Request`] may name another method than Whitted's tree, or ask for [the layers behind its picture](DisplayContent).
 
 mod canvas;
+mod card;
 mod frame;
 mod grid;
 mod job;
@@ -24,6 +25,7 @@ mod shared;
 mod status;
 mod worker;
 
+pub use card::{CardPicture, CardSource};
 pub use frame::{Frame, GridKind, GridLine, Polyline};
 pub use job::{JobError, JobProgress, RenderJob};
 pub use live::Live;

@@ -3,11 +3,11 @@
 use std::io;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use catoptric_gpu::Gpu;
 use catoptric_platform::threads::{self, Pool, Priority, Thread};
 use catoptric_platform::time::Instant;
 use catoptric_tracer::RenderScene;
 
+use crate::card::CardSource;
 use crate::frame::Frame;
 use crate::options::LiveOptions;
 use crate::request::Request;
@@ -73,9 +73,10 @@ impl Live {
         self.shared.request(request);
     }
 
-    /// Lets a graphics card draw Whitted's tree from now on, or the processor. If the card is lost, the processor goes on,
+    /// Lets a graphics card draw Whitted's tree from now on, or the processor, which draws until the card is open and has
+    /// compiled its shader. If the card is lost, the processor goes on,
     /// and [`Status::card_lost`] says why.
-    pub fn draw_with(&self, card: Option<Arc<Gpu>>) {
+    pub fn draw_with(&self, card: Option<CardSource>) {
         self.shared.draw_with(card);
     }
 

@@ -112,6 +112,7 @@ fn divided(view: [u32; 2], divisor: f64) -> [u32; 2] {
 }
 
 /// The rays and the time of a finished pass.
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct PassCost {
     pub(crate) rays: RayCounts,
     pub(crate) milliseconds: f64,

@@ -2,17 +2,19 @@
 
 use std::sync::Arc;
 
-use catoptric_gpu::GpuPicture;
+use catoptric_picture::SizeError;
 use catoptric_platform::time::{Duration, Instant};
 use catoptric_scene::{Camera, Color, Falloff, Light, Projection, Scene};
 use catoptric_tracer::{RayCounts, RenderCamera, RenderScene, SceneEdit};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
-use crate::canvas::{Canvas, CardRenderer, PassError};
+use crate::canvas::Canvas;
+use crate::card::CardPicture;
 use crate::frame::{GridLine, Polyline};
 use crate::method_picture::MethodPicture;
 use crate::outline::OutlineTracer;
+use crate::pace::PassCost;
 use crate::request::{DisplayContent, Request};
 use crate::shared::WaitLimit;
 use crate::status::LiveError;
@@ -35,6 +37,8 @@ pub(crate) struct RequestState {
     pub(crate) begun: Option<Instant>,
     /// What passes took that did not finish the sample under way, milliseconds.
     pub(crate) spent: f64,
+    /// What the pass took whose picture a card is developing.
+    pub(crate) unshown: Option<PassCost>,
     /// What a method other than Whitted's has drawn.
     pub(crate) drawn: Option<MethodPicture>,
     /// Whether the scene has changed since cube maps of the full size were made.
@@ -53,7 +57,9 @@ pub(crate) struct RequestState {
 #[derive(Default)]
 pub(crate) struct LastFrame {
     pub(crate) pixels: Arc<Vec<u8>>,
-    pub(crate) card: Option<Arc<GpuPicture>>,
+    pub(crate) card: Option<Arc<CardPicture>>,
+    /// Whether a card drew it.
+    pub(crate) is_of_card: bool,
     pub(crate) size: [u32; 2],
     pub(crate) shows: DisplayContent,
     pub(crate) outline: Arc<Vec<Polyline>>,
@@ -98,6 +104,7 @@ impl RequestState {
             spare: None,
             begun: None,
             spent: 0.0,
+            unshown: None,
             drawn: None,
             has_old_maps: false,
             shown: LastFrame::default(),
@@ -145,6 +152,7 @@ impl RequestState {
             spare: self.spare,
             begun: None,
             spent: 0.0,
+            unshown: None,
             drawn: self.drawn,
             has_old_maps: self.has_old_maps || !is_same_scene,
             shown: self.shown,
@@ -156,18 +164,14 @@ impl RequestState {
         }
     }
 
-    /// A film of this size for a new picture, which takes the place of the one before; on `card` if there is one.
-    pub(crate) fn blank_film(
-        &mut self,
-        card: Option<&CardRenderer>,
-        size: [u32; 2],
-    ) -> Result<Canvas, PassError> {
+    /// A film of this size for a new picture, which takes the place of the one before; on the card or not.
+    pub(crate) fn blank_film(&mut self, is_on_card: bool, size: [u32; 2]) -> Result<Canvas, SizeError> {
         let mut blank = None;
         self.spent = 0.0;
         // While a sharper picture is traced, the present one stays: it may have to be developed again.
         let film = if self.due.picture { self.film.take() } else { None };
         for film in [film, self.sharper.take(), self.spare.take()].into_iter().flatten() {
-            if film.is_on_card() != card.is_some() {
+            if film.is_on_card() != is_on_card {
                 continue;
             }
             if film.size() == size {
@@ -181,13 +185,18 @@ impl RequestState {
                 film.clear();
                 Ok(film)
             }
-            None => Canvas::new(card, size),
+            None => Canvas::new(is_on_card, size),
         }
     }
 
     /// Lets go of the light of traced pictures.
     pub(crate) fn drop_films(&mut self) {
         (self.film, self.sharper, self.spare) = (None, None, None);
+    }
+
+    /// Whether a coarse picture that is traced in slices is finished before the next is begun.
+    pub(crate) fn is_patient(&self) -> bool {
+        self.begun.is_some_and(|until| Instant::now() < until)
     }
 
     /// How long there is nothing to do.

@@ -3,10 +3,10 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 
-use catoptric_gpu::Gpu;
 use catoptric_platform::time::{Duration, Instant};
 use catoptric_tracer::{RenderControl, RenderScene};
 
+use crate::card::CardSource;
 use crate::frame::Frame;
 use crate::request::Request;
 use crate::status::{LiveError, Status};
@@ -26,8 +26,8 @@ pub(crate) struct SharedState {
 struct Mailbox {
     request: Option<Request>,
     /// What is to draw, if that was said.
-    card: Option<Option<Arc<Gpu>>>,
-    /// Whether a shader is ready that was waited for.
+    card: Option<Option<CardSource>>,
+    /// Whether the card is open, or a shader ready, that was waited for.
     is_ready: bool,
     stop: bool,
     pass_ended: bool,
@@ -47,8 +47,8 @@ struct WorkerOutput {
 pub(crate) enum WorkerMessage {
     Stop,
     /// What is to draw from now on.
-    Card(Option<Arc<Gpu>>),
-    /// The card can draw now.
+    Card(Option<CardSource>),
+    /// The card can draw now, or it never will.
     Ready,
     Request(Box<Request>),
     Nothing,
@@ -78,6 +78,8 @@ pub(crate) enum WaitLimit {
     No,
     /// There is work at this moment.
     Until(Instant),
+    /// There is nothing to do until a card is open.
+    ForCard,
     /// There is nothing to do.
     ForEver,
 }
@@ -124,7 +126,7 @@ impl SharedState {
         self.bell.notify_all();
     }
 
-    pub(crate) fn draw_with(&self, card: Option<Arc<Gpu>>) {
+    pub(crate) fn draw_with(&self, card: Option<CardSource>) {
         let mut mail = lock(&self.mail);
         lock(&self.shown).status.is_idle = false;
         mail.card = Some(card);
@@ -132,10 +134,15 @@ impl SharedState {
         self.bell.notify_all();
     }
 
-    /// Tells the worker that a shader is ready.
+    /// Tells the worker that the card can draw what it could not before, or has failed.
     pub(crate) fn tell_ready(&self) {
-        lock(&self.mail).is_ready = true;
+        let mut mail = lock(&self.mail);
+        lock(&self.shown).status.is_idle = false;
+        mail.is_ready = true;
+        drop(mail);
         self.bell.notify_all();
+        // A window gives slices to a worker that has no thread.
+        self.wake();
     }
 
     pub(crate) fn stop(&self) {
@@ -231,6 +238,7 @@ impl SharedState {
                     }
                     self.wait(mail, left)
                 }
+                WaitLimit::ForCard => self.bell.wait(mail).unwrap_or_else(PoisonError::into_inner),
                 WaitLimit::ForEver => {
                     // While the mail is locked, so that no request comes in between.
                     if self.rest() {
@@ -261,12 +269,18 @@ impl SharedState {
         let is_due = match wait {
             WaitLimit::No => true,
             WaitLimit::Until(moment) => moment <= Instant::now(),
-            WaitLimit::ForEver => false,
+            WaitLimit::ForCard | WaitLimit::ForEver => false,
         };
         if wait == WaitLimit::ForEver && self.rest() {
             self.wake();
         }
         is_due.then_some(WorkerMessage::Nothing)
+    }
+
+    /// Whether something newer is asked for that does not wait for work under way.
+    pub(crate) fn is_superseded(&self, is_new: impl Fn(&Request) -> bool) -> bool {
+        let mail = lock(&self.mail);
+        mail.stop || mail.card.is_some() || mail.request.as_ref().is_some_and(is_new)
     }
 
     fn wait<'a>(&self, mail: MutexGuard<'a, Mailbox>, time: Duration) -> MutexGuard<'a, Mailbox> {

@@ -7,21 +7,21 @@ use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
-use catoptric_gpu::wait;
 use catoptric_picture::{Development, Picture};
 use catoptric_platform::threads::Pool;
 use catoptric_platform::time::{Duration, Instant};
-use catoptric_tracer::{AcceleratorChoice, Film, RayCounts, RenderCamera, RenderControl, RenderScene};
+use catoptric_tracer::{AcceleratorChoice, Film, RayCounts, RenderControl, RenderScene};
 use rayon::prelude::*;
 
-use crate::canvas::{Canvas, CardRenderer, PassError};
+use crate::canvas::{AddedSample, Canvas, PassError};
+use crate::card::CardPort;
 use crate::frame::Frame;
 use crate::method_picture::{CubeMapStore, MethodPicture, has_light};
 use crate::options::LiveOptions;
 use crate::pace::{Pace, PassCost, milliseconds_since};
 use crate::request::{DisplayContent, Request};
 use crate::request_state::{RequestState, SceneUpdate, StaleParts, check, is_new};
-use crate::shared::{PreemptionRule, SharedState, WaitLimit, WorkerMessage};
+use crate::shared::{PreemptionRule, SharedState, WorkerMessage};
 use crate::status::LiveError;
 
 /// A picture under way while something moves is finished though a newer one is asked for, since otherwise none would
@@ -44,7 +44,7 @@ pub(crate) struct Worker {
     pub(crate) view: Option<RequestState>,
     pub(crate) maps: CubeMapStore,
     /// The graphics card that draws, if one is to.
-    pub(crate) card: Option<CardRenderer>,
+    pub(crate) card: Option<CardPort>,
     serial: u64,
     picture_serial: u64,
 }
@@ -79,8 +79,7 @@ impl Worker {
 
     pub(crate) fn run(mut self) {
         loop {
-            let wait = self.view.as_ref().map_or(WaitLimit::ForEver, RequestState::wait);
-            let call = self.shared.look(wait);
+            let call = self.shared.look(self.wait());
             if matches!(call, WorkerMessage::Stop) {
                 return;
             }
@@ -92,11 +91,11 @@ impl Worker {
     pub(crate) fn advance(&mut self, end: Instant) {
         self.slice_end = Some(end);
         loop {
-            let wait = self.view.as_ref().map_or(WaitLimit::ForEver, RequestState::wait);
-            // While something moves, a coarse picture is finished before the next is begun.
-            let is_patient = |view: &RequestState| view.begun.is_some_and(|until| Instant::now() < until);
-            let takes_requests = !self.view.as_ref().is_some_and(is_patient);
-            let Some(call) = self.shared.glance(wait, takes_requests) else { return };
+            if self.waits_for_card() {
+                return;
+            }
+            let takes_requests = !self.view.as_ref().is_some_and(RequestState::is_patient);
+            let Some(call) = self.shared.glance(self.wait(), takes_requests) else { return };
             self.guarded_turn(call);
             if Instant::now() >= end {
                 return;
@@ -121,7 +120,7 @@ impl Worker {
                 return Ok(());
             }
             WorkerMessage::Ready => {
-                self.draw_anew();
+                self.take_card_news();
                 return Ok(());
             }
             WorkerMessage::Stop | WorkerMessage::Nothing => {}
@@ -207,22 +206,20 @@ impl Worker {
 
     /// Traces the first picture after a change, as large as time allows.
     fn first_picture(&mut self) -> Result<(), LiveError> {
-        let is_on_card = self.is_card_ready();
+        let begun = self.view.as_mut().and_then(|view| view.begun.take());
+        // What is under way goes on where it is.
+        let is_ready = if begun.is_some() { Some(false) } else { self.is_card_ready() };
+        let Some(is_on_card) = is_ready else { return Ok(()) };
         let Some(view) = &mut self.view else { return Ok(()) };
         let size = self.pace.coarse(view.request.size);
-        let card = self.card.as_ref().filter(|_| is_on_card);
-        let begun = view.begun.take();
         let film = match (begun, view.film.take()) {
             (Some(_), Some(film)) => Ok(film),
             (_, film) => {
                 view.film = film;
-                view.blank_film(card, size)
+                view.blank_film(is_on_card, size)
             }
         };
-        let mut film = match film {
-            Ok(film) => film,
-            Err(error) => return self.without_film(error),
-        };
+        let mut film = film?;
         let until = begun.unwrap_or_else(|| Instant::now() + self.patience(size));
         let passed = self.pass(&mut film, Some(until))?;
         let Some(view) = &mut self.view else { return Ok(()) };
@@ -257,14 +254,10 @@ impl Worker {
         let full = view.request.size;
         let size = view.film.as_ref().map_or([1, 1], Canvas::size);
         let is_on_card = view.film.as_ref().is_some_and(Canvas::is_on_card);
-        let card = self.card.as_ref().filter(|_| is_on_card);
         let mut sharper = match view.sharper.take() {
             Some(film) => Some(film),
             None if size == full => None,
-            None => match view.blank_film(card, self.pace.sharper(full, size)) {
-                Ok(film) => Some(film),
-                Err(error) => return self.without_film(error),
-            },
+            None => Some(view.blank_film(is_on_card, self.pace.sharper(full, size))?),
         };
         let mut film = view.film.take();
         let Some(growing) = sharper.as_mut().or(film.as_mut()) else { return Ok(()) };
@@ -292,16 +285,16 @@ impl Worker {
     /// Adds a sample to a film, unless something newer comes first, or the slice ends. Until `until` nothing newer does.
     fn pass(&mut self, film: &mut Canvas, until: Option<Instant>) -> Result<PassEnd, LiveError> {
         let Some(view) = &self.view else { return Ok(PassEnd::Superseded) };
-        let control = match self.slice_end {
+        let control = Arc::new(match self.slice_end {
             Some(end) => RenderControl::pausing_when(move || Instant::now() >= end),
             None => RenderControl::default(),
-        };
+        });
         let start = Instant::now();
         let [width, height] = film.size();
         let pixels = u64::from(width) * u64::from(height);
         let is_full = film.size() == view.request.size;
         let before = if is_full { film.samples() } else { 0 };
-        let (render_scene, camera): (&RenderScene, &RenderCamera) = (&view.render_scene, &view.camera);
+        let (render_scene, camera) = (&view.render_scene, &view.camera);
         let progress = |done: u64| {
             let share = if is_full { done as f32 / pixels as f32 } else { 0.0 };
             (before as f32 + share.min(1.0)) / view.samples_wanted() as f32
@@ -310,19 +303,26 @@ impl Worker {
         let work = || film.add_sample(card, render_scene, camera, &control);
         let result = self.watched(view, &control, until, &progress, work);
         let result = result.unwrap_or(Err(PassError::Cancelled));
-        let milliseconds = milliseconds_since(start);
-        let is_paused = self.slice_end.is_some() && matches!(result, Err(PassError::Cancelled));
+        let (pixels, milliseconds) = match &result {
+            Ok(AddedSample { on_card: Some(work), .. }) => *work,
+            _ => (control.pixels_done(), milliseconds_since(start)),
+        };
+        let is_paused = match &result {
+            Err(PassError::UnderWay) => true,
+            Err(PassError::Cancelled) => self.slice_end.is_some(),
+            _ => false,
+        };
         match (&result, until) {
-            (Err(_), Some(_)) if !is_paused => self.pace.gave_up(control.pixels_done(), milliseconds),
-            _ => self.pace.passed(control.pixels_done(), milliseconds),
+            (Err(_), Some(_)) if !is_paused => self.pace.gave_up(pixels, milliseconds),
+            _ => self.pace.passed(pixels, milliseconds),
         }
         let Some(RequestState { spent, .. }) = &mut self.view else { return Ok(PassEnd::Superseded) };
         match result {
-            Ok(rays) => {
+            Ok(AddedSample { rays, .. }) => {
                 let milliseconds = milliseconds + std::mem::take(spent);
                 Ok(PassEnd::Finished(PassCost { rays, milliseconds }))
             }
-            Err(PassError::Cancelled) => {
+            Err(PassError::Cancelled | PassError::UnderWay) => {
                 *spent += milliseconds;
                 Ok(if is_paused { PassEnd::Paused } else { PassEnd::Superseded })
             }
@@ -373,11 +373,16 @@ impl Worker {
             (Some(film), None) => film.samples(),
             (None, None) => return Ok(()),
         };
+        let passed = passed.copied().or(view.unshown.take());
         if passed.is_some() || view.due.development {
             let start = Instant::now();
-            let card = &mut self.card;
-            match self.pool.install(|| develop_shown(view, card.as_mut())) {
+            let card = &self.card;
+            match self.pool.install(|| develop_shown(view, card.as_ref())) {
                 Ok(()) => {}
+                Err(PassError::UnderWay) => {
+                    (view.due.development, view.unshown) = (true, passed);
+                    return Ok(());
+                }
                 Err(error) => return self.without_film(error),
             }
             view.due.development = false;
@@ -422,7 +427,7 @@ impl Worker {
     fn report(&self, milliseconds: f64, rays: RayCounts) {
         let Some(view) = &self.view else { return };
         let (done, wanted) = (view.full_samples(), view.samples_wanted());
-        let is_on_card = view.shown.card.is_some();
+        let is_on_card = view.shown.is_of_card;
         self.shared.change_status(|status| {
             status.backend = if is_on_card { "GPU" } else { "CPU" };
             status.samples_done = done.min(wanted);
@@ -439,11 +444,12 @@ impl Worker {
 }
 
 /// Develops what is to be seen; on the current rayon pool.
-fn develop_shown(view: &mut RequestState, card: Option<&mut CardRenderer>) -> Result<(), PassError> {
+fn develop_shown(view: &mut RequestState, card: Option<&CardPort>) -> Result<(), PassError> {
     let development = view.request.development;
     if let (None, Some(Canvas::Card(film)), Some(card)) = (&view.drawn, &view.film, card) {
-        view.shown.card = Some(wait(card.screen.develop(&card.gpu, film, &development))?);
-        view.shown.pixels = Arc::default();
+        let picture = card.develop(film, &development)?;
+        (view.shown.card, view.shown.pixels) = (picture.card, picture.pixels);
+        view.shown.is_of_card = true;
         (view.shown.size, view.shown.shows) = (film.size(), DisplayContent::Picture);
         return Ok(());
     }
@@ -458,7 +464,7 @@ fn develop_shown(view: &mut RequestState, card: Option<&mut CardRenderer>) -> Re
         }
         (None, Some(Canvas::Card(_)) | None) => return Ok(()),
     };
-    view.shown.card = None;
+    (view.shown.card, view.shown.is_of_card) = (None, false);
     view.shown.pixels = Arc::new(codes);
     (view.shown.size, view.shown.shows) = (size, shows);
     Ok(())

@@ -4,6 +4,7 @@
 //! `use_threads` how to start them; without that there are none, and whoever wants something done in the background
 //! does it in slices, or at once.
 
+mod orders;
 mod pool;
 mod priority;
 #[cfg(not(target_family = "wasm"))]
@@ -16,10 +17,11 @@ mod start;
 use std::io;
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
 
+pub use orders::Orders;
 pub use pool::{Pool, PoolError};
 pub use priority::{Priority, lower_priority};
 #[cfg(target_family = "wasm")]
-pub use start::use_threads;
+pub use start::{ThreadTask, ThreadWork, use_threads};
 pub use start::{are_available, processors, sleep, wait};
 
 /// A thread under way. Dropping this lets it go on.
@@ -67,6 +69,18 @@ impl Drop for ThreadEndSignal {
         *self.0.has_ended.lock().unwrap_or_else(PoisonError::into_inner) = true;
         self.0.bell.notify_all();
     }
+}
+
+/// Starts a task that waits for orders, and between them for what it works with: on a thread of its own, or between the
+/// turns of this one on a page that has no others. What `task` makes stays where it was made.
+///
+/// # Errors
+/// When the system gives no thread.
+pub fn start_task<F: Future<Output = ()> + 'static>(
+    name: &str,
+    task: impl FnOnce() -> F + Send + 'static,
+) -> io::Result<()> {
+    start::start_task(name, task)
 }
 
 /// Does `work` on a thread of its own, or at once where there are no threads.

@@ -2,24 +2,63 @@
 
 use std::sync::Arc;
 
-use catoptric_gpu::{Gpu, GpuError};
+use catoptric_gpu::GpuError;
 
 use super::Worker;
-use crate::canvas::{CardRenderer, PassError};
+use crate::canvas::PassError;
+use crate::card::{CardNews, CardPort, CardSource, CardState, NoAnswer};
 use crate::pace::Pace;
+use crate::request_state::{RequestState, is_new};
+use crate::shared::WaitLimit;
 use crate::status::LiveError;
 
 impl Worker {
     /// Lets a card draw from now on, or the processor.
-    pub(super) fn change_card(&mut self, gpu: Option<Arc<Gpu>>) {
-        let opened = gpu.map(CardRenderer::new).transpose();
-        let lost = opened.as_ref().err().cloned();
-        self.card = opened.unwrap_or_default();
-        let name = self.card.as_ref().map(|card| card.gpu.info().name.clone());
+    pub(super) fn change_card(&mut self, source: Option<CardSource>) {
+        self.card = source.map(|source| {
+            let shared = Arc::clone(&self.shared);
+            CardPort::open(source, self.slice_end.is_none(), move |news| match news {
+                CardNews::Ready => shared.tell_ready(),
+                CardNews::Answered => shared.wake(),
+            })
+        });
         self.shared.change_status(|status| {
-            (status.card, status.card_refuses, status.card_lost) = (name, None, lost);
+            (status.card, status.card_refuses, status.card_lost) = (None, None, None);
         });
         self.draw_anew();
+    }
+
+    /// Takes note that the card is open, has failed, or can draw what it could not before.
+    pub(super) fn take_card_news(&mut self) {
+        if let Some(card) = &self.card {
+            card.forget_answer();
+        }
+        match self.card.as_ref().map(CardPort::state) {
+            Some(CardState::Open(name)) => {
+                self.shared.change_status(|status| status.card = Some(name));
+                self.draw_anew();
+            }
+            Some(CardState::Failed(error)) => self.card_fails(error),
+            Some(CardState::Opening) | None => {}
+        }
+    }
+
+    /// How long there is nothing to do.
+    pub(super) fn wait(&self) -> WaitLimit {
+        let wait = self.view.as_ref().map_or(WaitLimit::ForEver, RequestState::wait);
+        let is_opening = self.card.as_ref().is_some_and(|card| card.state() == CardState::Opening);
+        if is_opening && wait == WaitLimit::ForEver { WaitLimit::ForCard } else { wait }
+    }
+
+    /// Whether there is nothing to do before the card has answered. It is told to hurry when something newer is asked for.
+    pub(super) fn waits_for_card(&self) -> bool {
+        let Some(card) = self.card.as_ref().filter(|card| card.is_busy()) else { return false };
+        if let Some(view) = self.view.as_ref().filter(|view| !view.is_patient())
+            && self.shared.is_superseded(|request| is_new(request, &view.request))
+        {
+            card.cancel();
+        }
+        true
     }
 
     /// Draws the picture again, if it is one that a card can draw: by whatever is to draw now.
@@ -29,26 +68,26 @@ impl Worker {
             // What a picture takes is another matter now.
             self.pace = Pace::new(1e3 * self.budget.as_secs_f64());
             view.due.picture = true;
+            view.begun = None;
         }
     }
 
-    /// Whether the card has the scene and can draw it at once. While its shader is compiled, the processor draws.
-    pub(super) fn is_card_ready(&mut self) -> bool {
-        let (Some(view), Some(card)) = (&self.view, &mut self.card) else { return false };
-        if card.refused.is_some() {
-            return false;
+    /// Whether the card has the scene and can draw it at once. While its shader is compiled, the processor draws. `None`
+    /// when that is not known yet.
+    pub(super) fn is_card_ready(&mut self) -> Option<bool> {
+        let (Some(view), Some(card)) = (&self.view, &self.card) else { return Some(false) };
+        if card.refused.is_some() || card.state() == CardState::Opening {
+            return Some(false);
         }
-        let shared = Arc::clone(&self.shared);
-        let prepared =
-            self.pool.install(|| card.prepare(&view.render_scene, &view.camera, move || shared.tell_ready()));
-        match prepared {
+        match card.prepare(&view.render_scene, &view.camera) {
             Ok(is_ready) => {
                 self.shared.change_status(|status| status.card_refuses = None);
-                is_ready
+                Some(is_ready)
             }
-            Err(error) => {
+            Err(NoAnswer::Yet) => None,
+            Err(NoAnswer::Gpu(error)) => {
                 self.card_fails(error);
-                false
+                Some(false)
             }
         }
     }
@@ -79,7 +118,7 @@ impl Worker {
     /// What to do when there is no memory for a film.
     pub(super) fn without_film(&mut self, error: PassError) -> Result<(), LiveError> {
         match error {
-            PassError::Cancelled => Ok(()),
+            PassError::Cancelled | PassError::UnderWay => Ok(()),
             PassError::Size(error) => Err(error.into()),
             PassError::Card(error) => {
                 self.card_fails(error);

@@ -2,13 +2,15 @@
 
 use std::io::Write as _;
 use std::sync::Arc;
+use std::thread::sleep;
+use std::time::{Duration, Instant};
 
 use catoptric_gpu::{Gpu, GpuChoice, GpuError, wait};
-use catoptric_live::Request;
+use catoptric_live::{Frame, Live, LiveOptions, Request};
 use catoptric_picture::Development;
 use catoptric_scene::Color;
 
-use crate::{Window, expected, panes, request};
+use crate::{Window, expected, four_bodies, from_side, panes, request};
 
 fn card(test: &str) -> Option<Arc<Gpu>> {
     match wait(Gpu::open(&GpuChoice { software: true, name: None })) {
@@ -34,7 +36,7 @@ fn a_card_draws_and_hands_over_to_the_processor_and_back() {
     let asked = request(1);
     let exact = window.shown(asked.clone());
     assert!(exact.card.is_none() && *exact.pixels == expected(&asked, 3));
-    window.live.draw_with(Some(gpu));
+    window.live.draw_with(Some(gpu.into()));
     window.until(|live| {
         live.status().is_idle && live.latest().is_some_and(|frame| frame.card.is_some() && frame.samples == 3)
     });
@@ -64,7 +66,7 @@ fn a_card_draws_and_hands_over_to_the_processor_and_back() {
 fn the_processor_takes_over_from_a_card_that_is_lost() {
     let Some(gpu) = card("the_processor_takes_over_from_a_card_that_is_lost") else { return };
     let window = Window::open();
-    window.live.draw_with(Some(Arc::clone(&gpu)));
+    window.live.draw_with(Some(Arc::clone(&gpu).into()));
     window.live.request(Request { samples: 100_000, ..request(1) });
     window.until(|live| live.latest().is_some_and(|frame| frame.card.is_some()));
     gpu.destroy();
@@ -74,7 +76,7 @@ fn the_processor_takes_over_from_a_card_that_is_lost() {
     let frame = window.shown(asked.clone());
     assert!(frame.card.is_none() && *frame.pixels == expected(&asked, 3));
     // The same card cannot be had back.
-    window.live.draw_with(Some(gpu));
+    window.live.draw_with(Some(gpu.into()));
     window.until(|live| live.status().is_idle);
     assert!(window.live.status().card_lost.is_some());
     assert_eq!(window.live.status().backend, "CPU");
@@ -84,7 +86,7 @@ fn the_processor_takes_over_from_a_card_that_is_lost() {
 fn the_processor_draws_what_a_card_cannot() {
     let Some(gpu) = card("the_processor_draws_what_a_card_cannot") else { return };
     let window = Window::open();
-    window.live.draw_with(Some(gpu));
+    window.live.draw_with(Some(gpu.into()));
     let mut scene = (*panes(40)).clone();
     scene.tracing.threshold = 0.0;
     window.live.request(Request::new(Arc::new(scene), 1, [2, 2]));
@@ -92,8 +94,59 @@ fn the_processor_draws_what_a_card_cannot() {
     let asked = request(2);
     window.live.request(asked.clone());
     window.until(|live| {
-        let is_drawn = |frame: Arc<catoptric_live::Frame>| frame.revision == 2 && frame.card.is_some();
+        let is_drawn = |frame: Arc<Frame>| frame.revision == 2 && frame.card.is_some();
         live.status().is_idle && live.latest().is_some_and(is_drawn)
     });
     assert_eq!((window.live.status().card_refuses, window.live.status().card_lost), (None, None));
+}
+
+/// Gives a worker without a thread slices until it has come to what is wanted.
+fn sliced(live: &Live, wanted: impl Fn(&Frame) -> bool) -> Arc<Frame> {
+    let start = Instant::now();
+    loop {
+        if let Some(frame) = live.latest().filter(|frame| live.status().is_idle && wanted(frame)) {
+            return frame;
+        }
+        assert!(start.elapsed() < Duration::from_secs(60), "{:?}", live.status());
+        live.advance(Instant::now() + Duration::from_millis(5));
+        sleep(Duration::from_millis(1));
+    }
+}
+
+#[test]
+fn a_card_draws_between_the_slices_of_a_worker_without_a_thread() {
+    let Some(gpu) = card("a_card_draws_between_the_slices_of_a_worker_without_a_thread") else { return };
+    let options = LiveOptions { own_thread: false, threads: 1, ..LiveOptions::default() };
+    let live = Live::with_options(options, || {}).unwrap();
+    live.draw_with(Some(Arc::clone(&gpu).into()));
+    let asked = request(1);
+    live.request(asked.clone());
+    let frame = sliced(&live, |frame| frame.card.is_some());
+    assert_eq!((frame.samples, frame.rays.primary, live.status().error), (3, 160 * 90, None));
+    assert!(off(&frame.codes().unwrap(), &expected(&asked, 3)) < 0.001);
+    // Whatever the card is at, what is asked for last is drawn last.
+    for step in 2..60 {
+        let mut moving = request(step);
+        moving.moving = true;
+        moving.camera = from_side(&four_bodies().camera, step as f64);
+        if step % 7 == 0 {
+            moving.development.exposure_stops = 0.5;
+        }
+        live.request(moving);
+        live.advance(Instant::now());
+        sleep(Duration::from_millis(step % 3));
+    }
+    let development = Development { exposure_stops: 1.0, ..Development::default() };
+    let last = Request { camera: from_side(&four_bodies().camera, 9.0), development, ..request(60) };
+    live.request(last.clone());
+    // Another camera may need another shader, which is compiled first.
+    let frame = sliced(&live, |frame| frame.revision == 60 && frame.card.is_some());
+    assert!(frame.is_full() && frame.samples == 3);
+    assert!(off(&frame.codes().unwrap(), &expected(&last, 3)) < 0.001);
+    gpu.destroy();
+    let again = request(61);
+    live.request(again.clone());
+    let frame = sliced(&live, |frame| frame.revision == 61 && frame.card.is_none());
+    assert!(live.status().card_lost.is_some());
+    assert!(*frame.pixels == expected(&again, 3));
 }

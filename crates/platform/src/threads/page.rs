@@ -1,7 +1,7 @@
 //! Threads that a page starts as workers.
 
 use std::io;
-use std::pin::pin;
+use std::pin::{Pin, pin};
 use std::sync::OnceLock;
 use std::task::{Context, Poll, Waker};
 use std::time::Duration;
@@ -10,8 +10,11 @@ use rayon::{ThreadBuilder, ThreadPoolBuilder};
 
 use crate::time::Instant;
 
-/// What a thread does.
-type ThreadWork = Box<dyn FnOnce() + Send>;
+/// What a thread does. What it gives is done afterwards, between the turns of its worker.
+pub type ThreadWork = Box<dyn FnOnce() -> Option<ThreadTask> + Send>;
+
+/// What is done between the turns of a worker.
+pub type ThreadTask = Pin<Box<dyn Future<Output = ()>>>;
 
 static THREADS: OnceLock<PageThreads> = OnceLock::new();
 
@@ -66,7 +69,26 @@ pub fn wait<T>(work: impl Future<Output = T>) -> Option<T> {
 
 pub(super) fn start(name: &str, work: impl FnOnce() + Send + 'static) -> io::Result<()> {
     match THREADS.get() {
-        Some(threads) => (threads.start)(name, Box::new(work)),
+        Some(threads) => {
+            let work = move || {
+                work();
+                None
+            };
+            (threads.start)(name, Box::new(work))
+        }
         None => Err(io::ErrorKind::Unsupported.into()),
+    }
+}
+
+pub(super) fn start_task<F: Future<Output = ()> + 'static>(
+    name: &str,
+    task: impl FnOnce() -> F + Send + 'static,
+) -> io::Result<()> {
+    match THREADS.get() {
+        Some(threads) => (threads.start)(name, Box::new(|| Some(Box::pin(task())))),
+        None => {
+            js_sys::futures::spawn_local(task());
+            Ok(())
+        }
     }
 }

@@ -66,6 +66,15 @@ pub(super) fn start(name: &str, work: impl FnOnce() + Send + 'static) -> io::Res
     thread::Builder::new().name(name.to_owned()).spawn(work).map(drop)
 }
 
+pub(super) fn start_task<F: Future<Output = ()> + 'static>(
+    name: &str,
+    task: impl FnOnce() -> F + Send + 'static,
+) -> io::Result<()> {
+    start(name, move || {
+        wait(task());
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use std::future::poll_fn;

@@ -1,9 +1,10 @@
-//! The graphics card that draws the picture: the one that draws the window, so that the picture stays on it.
+//! The graphics card that can draw the picture: the one that draws the window, so that the picture stays on it; on a page
+//! one of its own.
 
 use std::sync::{Arc, Weak};
 
-use catoptric_gpu::{Gpu, GpuError, GpuPicture};
-use catoptric_live::Live;
+use catoptric_gpu::{Gpu, GpuError};
+use catoptric_live::{CardPicture, CardSource, Live};
 use catoptric_tracer::shaders::UnsupportedOnGpu;
 use egui::TextureId;
 
@@ -12,16 +13,27 @@ use crate::base::texts::Texts;
 /// What makes pictures on a card textures of the window that it draws.
 pub(crate) trait WindowTextures {
     /// Makes a picture a texture; `smooth` where it is stretched.
-    fn register(&mut self, picture: &GpuPicture, smooth: bool) -> TextureId;
+    fn register(&mut self, picture: &CardPicture, smooth: bool) -> TextureId;
 
     /// Forgets a texture.
     fn free(&mut self, id: TextureId);
 }
 
-/// The graphics card of the window, if it can trace.
+/// A graphics card that can trace.
+pub(crate) struct KnownCard {
+    pub(crate) name: String,
+    /// Whether it is a driver that computes on the processor.
+    pub(crate) is_software: bool,
+    /// Hands it to whoever draws.
+    pub(crate) source: Box<dyn Fn() -> CardSource>,
+    /// The window that it draws, which can show what lies on it.
+    pub(crate) window: Option<(Box<dyn WindowTextures>, Arc<Gpu>)>,
+}
+
+/// The graphics card of the window or the page, if it can trace.
 #[derive(Default)]
 pub(crate) struct WindowCard {
-    window: Option<(Box<dyn WindowTextures>, Arc<Gpu>)>,
+    known: Option<KnownCard>,
     /// Whether it is to draw.
     is_on: bool,
     /// The loss that was reported.
@@ -31,7 +43,7 @@ pub(crate) struct WindowCard {
 
 /// A picture that is registered as a texture of the window.
 struct WindowTexture {
-    picture: Weak<GpuPicture>,
+    picture: Weak<CardPicture>,
     smooth: bool,
     id: TextureId,
 }
@@ -39,7 +51,7 @@ struct WindowTexture {
 impl WindowCard {
     /// Whether there is one that can draw.
     pub(crate) fn is_there(&self) -> bool {
-        self.window.is_some()
+        self.known.is_some()
     }
 
     /// Whether it is to draw.
@@ -48,8 +60,8 @@ impl WindowCard {
     }
 
     /// What the window knows a picture by; pictures that are gone are forgotten. `smooth` where it is stretched.
-    pub(crate) fn texture(&mut self, picture: &Arc<GpuPicture>, smooth: bool) -> Option<TextureId> {
-        let (window, gpu) = self.window.as_mut()?;
+    pub(crate) fn texture(&mut self, picture: &Arc<CardPicture>, smooth: bool) -> Option<TextureId> {
+        let (window, gpu) = self.known.as_mut()?.window.as_mut()?;
         if !picture.is_on(gpu) {
             // It was drawn for a window that is gone.
             return None;
@@ -80,14 +92,14 @@ impl WindowCard {
         was_on
     }
 
-    /// The graphics card of the window, if it can trace.
-    pub(crate) fn gpu(&self) -> Option<&Arc<Gpu>> {
-        self.window.as_ref().map(|(_, gpu)| gpu)
+    /// The card, if it can trace.
+    pub(crate) fn known(&self) -> Option<&KnownCard> {
+        self.known.as_ref()
     }
 
-    /// Takes the graphics card of a window, if it can trace.
-    pub(crate) fn enter_window(&mut self, window: Box<dyn WindowTextures>, gpu: Result<Gpu, GpuError>) {
-        self.window = gpu.ok().map(|gpu| (window, Arc::new(gpu)));
+    /// Takes a card that can trace, or none, in place of the one before.
+    pub(crate) fn take(&mut self, card: Option<KnownCard>) {
+        self.known = card;
     }
 
     /// Takes note of a loss. Returns it the first time, when the card no longer draws.
@@ -103,10 +115,10 @@ impl WindowCard {
 
     /// Lets the card draw, or the processor.
     pub(crate) fn switch(&mut self, live: &Live, is_on: bool) {
-        let Some((_, gpu)) = &self.window else { return };
+        let Some(card) = &self.known else { return };
         self.is_on = is_on;
         self.told = None;
-        live.draw_with(is_on.then(|| Arc::clone(gpu)));
+        live.draw_with(is_on.then(|| (card.source)()));
     }
 }
 
