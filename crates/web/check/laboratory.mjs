@@ -63,8 +63,15 @@ export function assert(condition, what) {
 export function launch() {
   return chromium.launch({
     executablePath,
-    // Also as root and without a graphics card.
-    args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
+    // Also as root and without a graphics card, which SwiftShader stands in for.
+    args: [
+      "--no-sandbox",
+      "--use-angle=swiftshader",
+      "--enable-unsafe-swiftshader",
+      "--ignore-gpu-blocklist",
+      "--enable-unsafe-webgpu",
+      "--use-webgpu-adapter=swiftshader",
+    ],
   });
 }
 

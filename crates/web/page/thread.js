@@ -10,7 +10,7 @@ self.onmessage = async ({ data: { folder, module, memory, work } }) => {
       glue = await import(`./${folder}/studio.js`);
       glue.initSync({ module, memory, thread_stack_size: STACK });
     }
-    glue.runThread(work);
+    await glue.runThread(work);
     self.postMessage({ type: "ended" });
   } catch (error) {
     // The page hears of it as of an error that nobody caught.

@@ -99,6 +99,21 @@ async function start({ canvas, files, options, size, processors, folder, bytes }
   }
   drawIn(0);
   setTimeout(loadManual, MANUAL_AFTER, ["en", "ru"]);
+  await useCard(hasThreads);
+}
+
+// Lets the graphics card draw, if the browser has one for programs. Among threads it is told of work by a promise that not
+// every browser has.
+async function useCard(hasThreads) {
+  if (!navigator.gpu || (hasThreads && !Atomics.waitAsync)) {
+    return;
+  }
+  const info = (await navigator.gpu.requestAdapter())?.info;
+  if (info && studio) {
+    const name = info.description || [info.vendor, info.architecture].filter(Boolean).join(" ") || "WebGPU";
+    studio.useCard(name, info.isFallbackAdapter === true);
+    drawIn(0);
+  }
 }
 
 // Loads the pages of the manual in these languages, which nothing before the first picture needs.

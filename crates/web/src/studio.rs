@@ -88,6 +88,10 @@ struct StudioState<'a> {
     samples: Option<u32>,
     /// Whether the picture is finished.
     is_idle: bool,
+    /// What drew it: `CPU` or `GPU`.
+    backend: &'static str,
+    /// The graphics card that can draw it.
+    card: Option<&'a str>,
     threads: usize,
     /// Where the picture is, CSS pixels: left, top, width, height.
     viewport: Option<[f32; 4]>,
@@ -212,6 +216,12 @@ impl WebStudio {
         Ok(())
     }
 
+    /// Lets the graphics card that the page has draw the picture.
+    #[wasm_bindgen(js_name = useCard)]
+    pub fn use_card(&mut self, name: String, is_software: bool) {
+        self.studio.use_page_card(name, is_software);
+    }
+
     /// Draws a frame; `now` in milliseconds.
     pub fn frame(&mut self, now: f64) -> Result<String, JsError> {
         let mut input = self.input.take();
@@ -223,7 +233,7 @@ impl WebStudio {
         viewport.inner_rect = input.screen_rect;
         viewport.focused = Some(input.focused);
         let FullOutput { platform_output, textures_delta, shapes, pixels_per_point, mut viewport_output } =
-            self.context.run_ui(input, |ui| self.studio.ui(ui));
+            threads::drawing(|| self.context.run_ui(input, |ui| self.studio.ui(ui)));
         let primitives = self.context.tessellate(shapes, pixels_per_point);
         self.painter
             .resize([self.size.x, self.size.y].map(|side| (side * self.ratio).round().max(1.0) as u32));
@@ -266,6 +276,8 @@ impl WebStudio {
             pictures: frame.as_ref().map(|frame| frame.picture_serial),
             samples: frame.as_ref().map(|frame| frame.samples),
             is_idle: status.is_idle,
+            backend: status.backend,
+            card: studio.card_name(),
             threads: processors(),
             viewport: studio
                 .viewport_rect()

@@ -3,15 +3,15 @@
 use std::cell::Cell;
 use std::io;
 
-use catoptric_platform::threads::use_threads;
+use catoptric_platform::threads::{ThreadWork, use_threads};
+use js_sys::Promise;
+use js_sys::futures::future_to_promise;
 use wasm_bindgen::prelude::*;
 
 thread_local! {
-    /// Whether this is a worker that does a thread's work.
-    static IS_THREAD: Cell<bool> = const { Cell::new(false) };
+    /// Whether this worker is drawing a frame.
+    static IS_DRAWING: Cell<bool> = const { Cell::new(false) };
 }
-
-type Work = Box<dyn FnOnce() + Send>;
 
 #[wasm_bindgen]
 extern "C" {
@@ -30,17 +30,21 @@ pub fn use_page_threads(processors: usize) {
     });
 }
 
-/// Does what a message `thread` asked for: in the new worker, once.
+/// Does what a message `thread` asked for: in the new worker, once. What it gives is done when that is.
 ///
 /// # Safety
 /// `work` comes from that message, and is done only once.
 #[allow(unsafe_code, reason = "a worker is handed its work as a number")]
 #[wasm_bindgen(js_name = runThread)]
-pub unsafe fn run_thread(work: u32) {
-    IS_THREAD.set(true);
+pub unsafe fn run_thread(work: u32) -> Option<Promise> {
     // SAFETY: `use_page_threads` made it from a box, and the page hands it on to one worker.
-    let work = unsafe { Box::from_raw(work as *mut Work) };
-    work();
+    let work = unsafe { Box::from_raw(work as *mut ThreadWork) };
+    work().map(|task| {
+        future_to_promise(async {
+            task.await;
+            Ok(JsValue::UNDEFINED)
+        })
+    })
 }
 
 /// From now on the page is told of a panic, in whichever worker: the browser itself knows no more than that something
@@ -51,10 +55,18 @@ pub(crate) fn tell_of_panics() {
     }));
 }
 
+/// Draws a frame.
+pub(crate) fn drawing<T>(frame: impl FnOnce() -> T) -> T {
+    IS_DRAWING.set(true);
+    let drawn = frame();
+    IS_DRAWING.set(false);
+    drawn
+}
+
 /// Has a frame drawn soon, whoever asks for it.
 pub(crate) fn wake() {
-    // In the studio's own worker each frame says itself when the next one is wanted.
-    if IS_THREAD.get() {
+    // Each frame says itself when the next one is wanted.
+    if !IS_DRAWING.get() {
         // A page that is gone needs no frame.
         let _ = tell("wake", &[]);
     }
