@@ -150,9 +150,10 @@ impl RequestState {
             film: self.film,
             sharper: self.sharper,
             spare: self.spare,
-            begun: None,
-            spent: 0.0,
-            unshown: None,
+            // The same picture under way goes on.
+            begun: self.begun.filter(|_| !picture),
+            spent: if picture { 0.0 } else { self.spent },
+            unshown: self.unshown.filter(|_| !picture),
             drawn: self.drawn,
             has_old_maps: self.has_old_maps || !is_same_scene,
             shown: self.shown,

@@ -94,9 +94,21 @@ impl Worker {
             if self.waits_for_card() {
                 return;
             }
-            let takes_requests = !self.view.as_ref().is_some_and(RequestState::is_patient);
-            let Some(call) = self.shared.glance(self.wait(), takes_requests) else { return };
-            self.guarded_turn(call);
+            // The answer of the card is for the present request.
+            let has_answer = self.card.as_ref().is_some_and(CardPort::has_answer);
+            let is_patient = self.view.as_ref().is_some_and(RequestState::is_patient);
+            let call = self.shared.glance(self.wait(), !has_answer && !is_patient);
+            let is_due = call.is_some();
+            if let Some(call) = call {
+                self.guarded_turn(call);
+            }
+            if let Some(card) = self.card.as_ref().filter(|_| has_answer) {
+                // Otherwise one that nobody wants would keep requests away.
+                card.forget_answer();
+            }
+            if !is_due && !has_answer {
+                return;
+            }
             if Instant::now() >= end {
                 return;
             }

@@ -5,11 +5,13 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError, Weak};
 use catoptric_gpu::GpuError;
 use catoptric_picture::Development;
 use catoptric_platform::threads::{self, Orders};
+use catoptric_platform::time::Instant;
 use catoptric_tracer::shaders::UnsupportedOnGpu;
 use catoptric_tracer::{RenderCamera, RenderControl, RenderScene};
 
 use super::renderer::{CardAnswer, CardOrder, CardPass, CardRenderer, ShownPicture};
 use super::source::CardSource;
+use crate::pace::milliseconds_since;
 
 /// A graphics card as the worker knows it: orders go to the task that drives it, answers come back. Dropping it lets the
 /// card go.
@@ -74,8 +76,14 @@ struct DeskState {
 /// How far the last order is.
 enum OrderState {
     None,
-    UnderWay(OrderKey, Option<Arc<RenderControl>>),
+    UnderWay(OrderKey, Option<WorkUnderWay>),
     Answered(OrderKey, Result<CardAnswer, GpuError>),
+}
+
+/// Tracing for an order.
+struct WorkUnderWay {
+    control: Arc<RenderControl>,
+    since: Instant,
 }
 
 /// What an order is for: who asks for the same again means the same order.
@@ -124,11 +132,19 @@ impl CardPort {
         matches!(self.desk.lock().order, OrderState::UnderWay(..))
     }
 
-    /// Has what is under way come to an end soon.
-    pub(crate) fn cancel(&self) {
-        if let OrderState::UnderWay(_, Some(control)) = &self.desk.lock().order {
-            control.cancel();
-        }
+    /// Has what is under way come to an end soon. Gives the pixels that were traced and how long that took, milliseconds,
+    /// the first time.
+    pub(crate) fn cancel(&self) -> Option<(u64, f64)> {
+        let state = self.desk.lock();
+        let OrderState::UnderWay(_, Some(work)) = &state.order else { return None };
+        let is_first = !work.control.is_cancelled();
+        work.control.cancel();
+        is_first.then(|| (work.control.pixels_done(), milliseconds_since(work.since)))
+    }
+
+    /// Whether there is an answer that nobody has taken.
+    pub(crate) fn has_answer(&self) -> bool {
+        matches!(self.desk.lock().order, OrderState::Answered(..))
     }
 
     /// Forgets an answer that nobody has taken: it may be otherwise now.
@@ -204,11 +220,11 @@ impl CardPort {
         let mut state = self.desk.lock();
         match std::mem::replace(&mut state.order, OrderState::None) {
             OrderState::Answered(known, answer) if known == key => return answer.map_err(NoAnswer::Gpu),
-            OrderState::UnderWay(known, control) => {
-                if let (false, Some(control)) = (known == key, &control) {
-                    control.cancel();
+            OrderState::UnderWay(known, work) => {
+                if let (false, Some(work)) = (known == key, &work) {
+                    work.control.cancel();
                 }
-                state.order = OrderState::UnderWay(known, control);
+                state.order = OrderState::UnderWay(known, work);
                 return Err(NoAnswer::Yet);
             }
             // Nobody wants the answer to something else any more.
@@ -217,7 +233,8 @@ impl CardPort {
         if let CardState::Failed(error) = &state.card {
             return Err(NoAnswer::Gpu(error.clone()));
         }
-        state.order = OrderState::UnderWay(key, control);
+        let work = control.map(|control| WorkUnderWay { control, since: Instant::now() });
+        state.order = OrderState::UnderWay(key, work);
         self.orders.send(order());
         if !self.waits {
             return Err(NoAnswer::Yet);
@@ -234,7 +251,7 @@ impl CardPort {
 
 impl Drop for CardPort {
     fn drop(&mut self) {
-        self.cancel();
+        let _ = self.cancel();
         self.orders.close();
         // A driver must not be at work when the program ends.
         let mut state = self.desk.lock();

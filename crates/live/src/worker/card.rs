@@ -51,12 +51,13 @@ impl Worker {
     }
 
     /// Whether there is nothing to do before the card has answered. It is told to hurry when something newer is asked for.
-    pub(super) fn waits_for_card(&self) -> bool {
+    pub(super) fn waits_for_card(&mut self) -> bool {
         let Some(card) = self.card.as_ref().filter(|card| card.is_busy()) else { return false };
         if let Some(view) = self.view.as_ref().filter(|view| !view.is_patient())
             && self.shared.is_superseded(|request| is_new(request, &view.request))
+            && let Some((pixels, milliseconds)) = card.cancel()
         {
-            card.cancel();
+            self.pace.gave_up(pixels, milliseconds);
         }
         true
     }

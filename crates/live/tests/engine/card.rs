@@ -143,10 +143,28 @@ fn a_card_draws_between_the_slices_of_a_worker_without_a_thread() {
     let frame = sliced(&live, |frame| frame.revision == 60 && frame.card.is_some());
     assert!(frame.is_full() && frame.samples == 3);
     assert!(off(&frame.codes().unwrap(), &expected(&last, 3)) < 0.001);
+    // A window asks in every frame, for the same or for something else.
+    for (revision, angle, wanted) in [(100, 0.0, 2), (200, 1.0, 5)] {
+        let (mut serial, mut pictures, mut step) = (live.latest().unwrap().picture_serial, 0, 0_u32);
+        while pictures < wanted {
+            assert!(step < 20_000, "{revision}: {pictures} pictures, {:?}", live.status());
+            let mut asked = request(revision);
+            asked.moving = true;
+            asked.camera = from_side(&four_bodies().camera, 5.0 + angle * f64::from(step));
+            live.request(asked);
+            live.advance(Instant::now() + Duration::from_millis(1));
+            sleep(Duration::from_millis(1));
+            let is_new = |frame: &Arc<Frame>| frame.card.is_some() && frame.picture_serial != serial;
+            if let Some(frame) = live.latest().filter(is_new) {
+                (serial, pictures) = (frame.picture_serial, pictures + 1);
+            }
+            step += 1;
+        }
+    }
     gpu.destroy();
-    let again = request(61);
+    let again = request(261);
     live.request(again.clone());
-    let frame = sliced(&live, |frame| frame.revision == 61 && frame.card.is_none());
+    let frame = sliced(&live, |frame| frame.revision == 261 && frame.card.is_none());
     assert!(live.status().card_lost.is_some());
     assert!(*frame.pixels == expected(&again, 3));
 }
