@@ -40,10 +40,10 @@ mod linux {
         let mut arguments = std::env::args().skip(1);
         match (arguments.next().as_deref(), arguments.next()) {
             (Some(STUDIO), Some(scene)) => studio(scene.into()),
-            _ => {
-                a_window_that_is_lost_comes_back_with_the_edit_and_its_undo();
-                a_driver_that_fails_again_and_again_ends_the_studio_and_work_is_kept();
-            }
+            _ => std::thread::scope(|scope| {
+                scope.spawn(a_window_that_is_lost_comes_back_with_the_edit_and_its_undo);
+                scope.spawn(a_driver_that_fails_again_and_again_ends_the_studio_and_work_is_kept);
+            }),
         }
     }
 

@@ -1,5 +1,8 @@
 //! Every key of the format, set by its address: read back, undone, done again, saved and read from the file.
 
+use std::num::NonZero;
+use std::thread;
+
 use catoptric_editor::Editor;
 use catoptric_scene::format::keys;
 use catoptric_scene::format::spec::{KeySpec, Kind, Limits};
@@ -159,22 +162,41 @@ fn check_all(
 fn what_is_set_at_every_key_is_saved_and_can_be_undone() {
     let mut changed = Vec::new();
     let small = read(SMALL).into_result().unwrap().value;
-    let values = |key: &KeySpec| {
+    let values = &|key: &KeySpec| {
         // Keys beside a choice may need its word; those beside another key go with it.
         let can_go = !matches!(key.kind, Kind::Choice(_));
         values(&small, key).into_iter().map(Some).chain(can_go.then_some(None)).collect()
     };
     check_all(SMALL, &small, values, &mut changed);
     // Other words of the choices have other keys.
-    for key in small.keys() {
-        let Kind::Choice(words) = key.spec.kind else { continue };
-        for word in words {
-            let mut scene = small.clone();
-            if scene.set(&key.path, *word).is_ok() && scene != small {
-                check_all(&write(&scene), &scene, values, &mut changed);
-            }
-        }
-    }
+    let others: Vec<Scene> = small
+        .keys()
+        .flat_map(|key| {
+            let Kind::Choice(words) = key.spec.kind else { return Vec::new() };
+            let with = |word: &&str| {
+                let mut scene = small.clone();
+                (scene.set(&key.path, *word).is_ok() && scene != small).then_some(scene)
+            };
+            words.iter().filter_map(with).collect()
+        })
+        .collect();
+    // All processors have a part of them: it takes long.
+    let count = thread::available_parallelism().map_or(1, NonZero::get);
+    let parts: Vec<Vec<&'static KeySpec>> = thread::scope(|scope| {
+        let part = |first| {
+            let others = &others;
+            scope.spawn(move || {
+                let mut changed = Vec::new();
+                for scene in others.iter().skip(first).step_by(count) {
+                    check_all(&write(scene), scene, values, &mut changed);
+                }
+                changed
+            })
+        };
+        let parts: Vec<_> = (0..count).map(part).collect();
+        parts.into_iter().map(|part| part.join().unwrap()).collect()
+    });
+    changed.extend(parts.into_iter().flatten());
     let keys = keys::TABLES.iter().filter(|table| ***table != keys::ROOT).flat_map(|table| table.keys);
     let keys = keys.filter(|key| !matches!(key.kind, Kind::Table(_) | Kind::List(_)));
     let missing: Vec<&str> = keys.filter(|key| !changed.contains(key)).map(|key| key.name).collect();

@@ -168,9 +168,19 @@ proptest! {
         if scene.materials.is_empty() {
             scene.materials.push(NamedMaterial { name: "m".to_owned(), material: Material::default() });
         }
-        let mut random = Random(seed);
-        for key in scene.keys() {
-            check_key(&scene, &key, &mut random)?;
+        // Half of the keys for each of two threads: it takes long.
+        let keys: Vec<SceneKey> = scene.keys().collect();
+        let (few, rest) = keys.split_at(keys.len() / 2);
+        let check_half = |keys: &[SceneKey], seed| {
+            let mut random = Random(seed);
+            keys.iter().try_for_each(|key| check_key(&scene, key, &mut random))
+        };
+        let both = std::thread::scope(|scope| {
+            let other = scope.spawn(|| check_half(few, seed));
+            [check_half(rest, !seed), other.join().unwrap()]
+        });
+        for checked in both {
+            checked?;
         }
     }
 
