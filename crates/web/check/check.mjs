@@ -64,6 +64,38 @@ async function comparePictures(laboratory, name) {
   console.log(`  ${name}: ${examples.length} scenes, at most ${Math.max(...shares)} of the pixels differ`);
 }
 
+// Has a software driver draw by WebGPU before and after a change, and holds its pictures against the processor's. They are
+// small: SwiftShader is a hundred times slower than the processor.
+async function drawByCard(browser, example, options, address) {
+  const device = { viewport: { width: 240, height: 160 }, ...options };
+  const laboratory = await Laboratory.open(browser, `?embed#example=${example}`, device, address);
+  const shoot = async (backend, change) => {
+    const isFinished = (state) => state.isIdle && state.samples >= 16 && state.backend === backend;
+    await laboratory.until(`a picture by the ${backend}`, isFinished);
+    await laboratory.settled();
+    const file = path.join(folder, `card-${example}-${backend}-${change}.png`);
+    // The button to the laboratory is left out.
+    await laboratory.page.screenshot({ path: file, clip: { x: 0, y: 0, width: 240, height: 110 } });
+    return file;
+  };
+  const { backend } = await laboratory.until("a card", (state) => state.card);
+  assert(backend !== "GPU", "a software driver draws though nobody asked for it");
+  const before = await shoot("CPU", "before");
+  await laboratory.run("view.projection");
+  const after = await shoot("CPU", "after");
+  await laboratory.run("view.card");
+  const pairs = [[await shoot("GPU", "after"), after]];
+  await laboratory.run("edit.undo");
+  pairs.push([await shoot("GPU", "before"), before]);
+  for (const pair of pairs) {
+    const { share_above } = JSON.parse(await run("diff", ...pair, "--json", "--tolerance", "2/255"));
+    assert(share_above <= 0.002, `${pair[0]}: ${share_above} of the pixels differ`);
+    console.log(`  ${path.basename(pair[0])}: ${share_above} of the pixels differ`);
+  }
+  await laboratory.run("view.card");
+  await shoot("CPU", "again");
+}
+
 // The same site in two versions: the second one has another service worker, and says so in the title of its page.
 async function serveVersions() {
   let version = 1;
@@ -79,8 +111,14 @@ async function serveVersions() {
 }
 
 const CHECKS = {
-  async "pictures are those of the native program, with threads"(browser) {
+  async "pictures are those of the native program, with threads and quicker vectors"(browser) {
     const laboratory = await Laboratory.open(browser);
+    await laboratory.settled();
+    await comparePictures(laboratory, "relaxed");
+  },
+
+  async "pictures are those of the native program, with threads"(browser) {
+    const laboratory = await Laboratory.open(browser, "?program=threads");
     await laboratory.settled();
     await comparePictures(laboratory, "threads");
   },
@@ -110,6 +148,14 @@ const CHECKS = {
     const laboratory = await Laboratory.open(browser, "", {}, plain);
     const state = await laboratory.until("threads", (state) => state.threads >= 2);
     assert(state.threads >= 2, `${state.threads} threads`);
+  },
+
+  async "WebGPU draws the same picture, with threads"(browser) {
+    await drawByCard(browser, "whitted", {}, isolated);
+  },
+
+  async "WebGPU draws the same picture, without threads"(browser) {
+    await drawByCard(browser, "four-bodies", { serviceWorkers: "block" }, plain);
   },
 
   async "a body is dragged, and that is undone"(browser) {
