@@ -49,8 +49,7 @@ impl WebTask {
     }
 }
 
-/// One of the programs: browsers share memory between workers only on pages that are isolated from others, and not all have
-/// vectors that leave the rounding to the processor (relaxed SIMD), which are quicker.
+/// One of the two programs: browsers share memory between workers only on pages that are isolated from others.
 struct Flavor {
     folder: &'static str,
     features: &'static str,
@@ -84,10 +83,7 @@ const THREADS: Flavor = Flavor {
     builds_std: true,
 };
 
-const RELAXED: Flavor =
-    Flavor { folder: "relaxed", features: "+simd128,+relaxed-simd,+atomics,+bulk-memory", ..THREADS };
-
-const FLAVORS: [&Flavor; 3] = [&SINGLE, &THREADS, &RELAXED];
+const FLAVORS: [&Flavor; 2] = [&SINGLE, &THREADS];
 
 /// Does what is wanted, and says what had to be left out.
 pub(crate) fn run(task: WebTask) -> Result<()> {

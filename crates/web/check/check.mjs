@@ -111,14 +111,8 @@ async function serveVersions() {
 }
 
 const CHECKS = {
-  async "pictures are those of the native program, with threads and quicker vectors"(browser) {
-    const laboratory = await Laboratory.open(browser);
-    await laboratory.settled();
-    await comparePictures(laboratory, "relaxed");
-  },
-
   async "pictures are those of the native program, with threads"(browser) {
-    const laboratory = await Laboratory.open(browser, "?program=threads");
+    const laboratory = await Laboratory.open(browser);
     await laboratory.settled();
     await comparePictures(laboratory, "threads");
   },
