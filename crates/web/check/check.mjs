@@ -111,10 +111,31 @@ async function serveVersions() {
 }
 
 const CHECKS = {
-  async "pictures are those of the native program, with threads"(browser) {
+  async "pictures are those of the native program, with threads and quicker vectors"(browser) {
     const laboratory = await Laboratory.open(browser);
     await laboratory.settled();
+    await comparePictures(laboratory, "relaxed");
+  },
+
+  async "pictures are those of the native program, with threads"(browser) {
+    const laboratory = await Laboratory.open(browser, "?program=threads");
+    await laboratory.settled();
     await comparePictures(laboratory, "threads");
+  },
+
+  // The toolkit rasterizes letters by vectors, too, and those that round otherwise fill some of them.
+  async "quicker vectors draw the same letters"(browser) {
+    const clips = [[0, 0, 1280, 28], [0, 28, 220, 740], [940, 28, 340, 740], [232, 40, 564, 34]];
+    const shots = [];
+    for (const name of ["relaxed", "threads"]) {
+      const laboratory = await Laboratory.open(browser, `?program=${name}#example=whitted`);
+      await laboratory.settled();
+      for (const [x, y, width, height] of clips) {
+        shots.push(await laboratory.page.screenshot({ clip: { x, y, width, height } }));
+      }
+      await laboratory.close();
+    }
+    clips.forEach((clip, at) => assert(shots[at].equals(shots[at + clips.length]), `other letters in ${clip}`));
   },
 
   async "pictures are those of the native program, without threads"(browser) {
@@ -388,6 +409,9 @@ const CHECKS = {
 function whyNot(name) {
   if (!hasThreads && ["several threads", "with threads", "isolates itself"].some((words) => name.includes(words))) {
     return "the program with threads was not built";
+  }
+  if (!programs.relaxed && name.includes("quicker vectors")) {
+    return "the program with quicker vectors was not built";
   }
   if (!programs.single && ["not isolated", "without threads"].some((words) => name.includes(words))) {
     return "the program without threads was not built";

@@ -25,9 +25,17 @@ const typing = document.getElementById("typing");
 
 const store = new Store();
 
-// The program that this page can run: with several threads where it may share memory.
-const canShare = self.crossOriginIsolated === true && Boolean(programs.threads);
-const program = canShare ? "threads" : "single";
+// The smallest program with a vector instruction that leaves the rounding to the processor, `i32x4.relaxed_trunc_f32x4_s`:
+// where it is valid, the quicker vectors are there.
+const RELAXED = [0, 97, 115, 109, 1, 0, 0, 0, 1, 6, 1, 96, 1, 123, 1, 123, 3, 2, 1, 0, 10, 9, 1, 7, 0, 32, 0, 253, 129, 2, 11];
+
+// The programs that this page can run, the quickest first: with several threads where it may share memory. Another one can be
+// asked for, to compare them.
+const canShare = self.crossOriginIsolated === true;
+const needs = { relaxed: canShare && WebAssembly.validate(new Uint8Array(RELAXED)), threads: canShare, single: true };
+const possible = Object.keys(needs).filter((name) => needs[name] && programs[name]);
+const wanted = new URLSearchParams(location.search).get("program");
+const program = possible.includes(wanted) ? wanted : possible[0];
 
 // The questions of scripts that the studio has not answered yet, by number.
 const questions = new Map();
@@ -89,7 +97,7 @@ function start(options) {
   const tell = (event) => worker.postMessage({ type: "event", event });
   const sizes = listen(canvas, typing, tell, (files) => take(studio, files));
   studio.stopListening = sizes.stop;
-  const processors = canShare ? Math.max(navigator.hardwareConcurrency || 2, 2) : 0;
+  const processors = program !== "single" ? Math.max(navigator.hardwareConcurrency || 2, 2) : 0;
   const { bytes } = programs[program];
   const parts = { files: store.files(), options, size: sizes.first, processors, folder: program, bytes };
   const message = { type: "start", canvas: drawing, ...parts };

@@ -171,6 +171,12 @@ pub(crate) fn times_plus_like_widest(x: f32, factor: f32, term: f32) -> f32 {
 #[cfg(not(target_arch = "x86_64"))]
 #[inline(always)]
 pub(crate) fn times_plus_like_widest(x: f32, factor: f32, term: f32) -> f32 {
+    #[cfg(all(target_arch = "wasm32", target_feature = "relaxed-simd"))]
+    if let Some(simd) = Level::new().as_wasm_simd128() {
+        // Of vectors alone a browser says that they round as its vectors do.
+        let [x, factor, term] = [x, factor, term].map(|number| fearless_simd::f32x4::splat(simd, number));
+        return x.mul_add(factor, term)[0];
+    }
     if cfg!(target_feature = "neon") { x.mul_add(factor, term) } else { x * factor + term }
 }
 
