@@ -11,6 +11,7 @@ pub use base::theme::Theme;
 pub use shell::failure::StudioError;
 pub use shell::host;
 pub use shell::interruption::Interruption;
+pub use shell::repaint;
 pub use shell::studio::{StartDocument, Studio};
 #[doc(hidden)]
 #[cfg(not(target_family = "wasm"))]

@@ -23,6 +23,7 @@ pub(crate) mod menu_focus;
 pub(crate) mod palette;
 pub(crate) mod pictures;
 pub(crate) mod render_dialog;
+pub mod repaint;
 pub(crate) mod run;
 pub(crate) mod shortcuts;
 pub(crate) mod studio;

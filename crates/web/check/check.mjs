@@ -173,6 +173,38 @@ const CHECKS = {
     await drawByCard(browser, "four-bodies", { serviceWorkers: "block" }, plain);
   },
 
+  async "what has changed is drawn as the whole window is"(browser) {
+    const steps = {
+      started: () => {},
+      dragged: moveBall,
+      menu: ({ page }) => page.mouse.click(20, 14),
+      closed: ({ page }) => page.keyboard.press("Escape"),
+      russian: (laboratory) => laboratory.run("window.language.russian"),
+      audited: async (laboratory) => {
+        await laboratory.run("audit.tool");
+        await laboratory.page.mouse.click(...(await laboratory.place(0.5, 0.5)));
+      },
+      smaller: ({ page }) => page.setViewportSize({ width: 1000, height: 700 }),
+    };
+    for (const way of ["changes", "whole"]) {
+      const laboratory = await Laboratory.open(browser, `?paint=${way}#example=four-bodies`);
+      for (const [name, step] of Object.entries(steps)) {
+        await step(laboratory);
+        await laboratory.settled();
+        const { width, height } = laboratory.page.viewportSize();
+        // The bar at the bottom tells times.
+        const clip = { x: 0, y: 0, width, height: height - 30 };
+        await laboratory.page.screenshot({ path: path.join(folder, `${name}-${way}.png`), clip });
+      }
+      await laboratory.close();
+    }
+    for (const name of Object.keys(steps)) {
+      const [changes, whole] = ["changes", "whole"].map((way) => path.join(folder, `${name}-${way}.png`));
+      const { share_above, max } = JSON.parse(await run("diff", changes, whole, "--json", "--tolerance", "2/255"));
+      assert(share_above === 0, `${name}: ${share_above} of the pixels differ, largest ${max}`);
+    }
+  },
+
   async "a body is dragged, and that is undone"(browser) {
     const laboratory = await Laboratory.open(browser);
     const before = (await laboratory.state()).scene;

@@ -78,9 +78,11 @@ async function optionsOf(fragment) {
 // On somebody's page the picture stands alone, with a button to the laboratory.
 const isEmbedded = new URLSearchParams(location.search).has("embed");
 
-// The studio as it is started anew: with what it had last.
+// The studio as it is started anew: with what it had last. Software drivers draw what has changed, unless the whole window is
+// asked for, to compare them.
 function usualOptions() {
-  return { language, page: store.page, isEmbedded };
+  const isWhole = new URLSearchParams(location.search).get("paint") === "whole";
+  return { language, page: store.page, isEmbedded, isWhole };
 }
 
 function start(options) {

@@ -17,6 +17,8 @@ pub(crate) struct StartOptions {
     pub(crate) language: String,
     /// Whether the picture stands alone on somebody's page.
     pub(crate) is_embedded: bool,
+    /// Whether every frame is drawn as a whole, whatever draws it.
+    pub(crate) is_whole: bool,
     /// A built-in example to open.
     pub(crate) example: Option<String>,
     /// What a link holds, instead.

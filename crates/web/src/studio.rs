@@ -145,7 +145,7 @@ impl WebStudio {
     #[wasm_bindgen(constructor)]
     pub fn new(canvas: OffscreenCanvas, options: &str) -> Result<Self, JsError> {
         let options: StartOptions = serde_json::from_str(options)?;
-        let painter = CanvasPainter::new(canvas).map_err(|reason| JsError::new(&reason))?;
+        let painter = CanvasPainter::new(canvas, options.is_whole).map_err(|reason| JsError::new(&reason))?;
         let host = PageHost::new(options.is_embedded);
         threads::tell_of_panics();
         process::use_number(options.page);
@@ -238,7 +238,7 @@ impl WebStudio {
         self.painter
             .resize([self.size.x, self.size.y].map(|side| (side * self.ratio).round().max(1.0) as u32));
         let background = self.context.global_style().visuals.panel_fill.to_normalized_gamma_f32();
-        self.painter.paint(&primitives, textures_delta, pixels_per_point, background);
+        self.painter.paint(primitives, textures_delta, pixels_per_point, background);
         let mut commands = Vec::new();
         self.tell_page(platform_output, zoom, &mut commands);
         let viewport = viewport_output.remove(&ViewportId::ROOT);

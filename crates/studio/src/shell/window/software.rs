@@ -1,23 +1,21 @@
 //! Drawing the window where there is no graphics card.
 //!
 //! egui's shader chooses in every pixel how to filter a texture and whether to dither, and egui draws the whole window
-//! in every frame. A graphics card does not mind; a software driver (Mesa's lavapipe) computes all that is not chosen
-//! too, and needs 90 ms for a frame. Here the same triangles are drawn by shaders that compute only what is wanted, and
-//! only where the window has changed: 10 ms.
+//! in every frame. A software driver (Mesa's lavapipe) computes all that is not chosen too, and needs 90 ms for a frame.
+//! Here the same triangles are drawn by shaders that compute only what is wanted, and only where the window has changed:
+//! 10 ms.
 
 mod canvas;
-mod damage;
 mod pipelines;
 
-use std::collections::HashSet;
 use std::mem;
 
 use eframe::egui_wgpu::{Callback, RenderState};
-use egui::epaint::{ClippedShape, ImageData};
-use egui::{Color32, Context, FullOutput, Plugin, Shape, TextureId};
+use egui::epaint::ClippedShape;
+use egui::{Context, FullOutput, Plugin, Shape};
 
-use canvas::{SoftwareCanvas, SoftwareTexture};
-use damage::{DrawBatch, damage, pieces};
+use crate::shell::repaint::Repaint;
+use canvas::SoftwareCanvas;
 
 /// Takes over the drawing of a new window, if a software driver draws it.
 pub(super) fn install(context: &Context, state: &RenderState) {
@@ -44,69 +42,36 @@ struct SoftwarePainter {
 struct SoftwareRenderer {
     state: RenderState,
     canvas: SoftwareCanvas,
-    /// What is on the canvas.
-    drawn: Vec<DrawBatch>,
-    /// The textures that nothing is seen through.
-    opaque: HashSet<TextureId>,
+    repaint: Repaint,
 }
 
 impl SoftwareRenderer {
     fn new(state: &RenderState) -> Self {
-        Self {
-            state: state.clone(),
-            canvas: SoftwareCanvas::new(state),
-            drawn: Vec::new(),
-            opaque: HashSet::new(),
-        }
-    }
-
-    /// Brings the textures up to date, and tells which of them look otherwise where they were used before.
-    fn update_textures(&mut self, output: &mut FullOutput) -> HashSet<TextureId> {
-        let mut renderer = self.state.renderer.write();
-        let mut renewed = HashSet::new();
-        self.opaque.retain(|id| !output.textures_delta.free.contains(id));
-        for (id, deltas) in output.textures_delta.set.drain() {
-            for delta in &deltas {
-                renderer.update_texture(&self.state.device, &self.state.queue, id, delta);
-                let ImageData::Color(image) = &delta.image;
-                let is_part = delta.pos.is_some();
-                // A part that is opaque does not tell of the whole.
-                if !is_part && image.pixels.iter().all(Color32::is_opaque) {
-                    self.opaque.insert(id);
-                } else {
-                    self.opaque.remove(&id);
-                }
-                // Glyphs are only added to the texture of the fonts, where there was nothing.
-                if !is_part || id != TextureId::default() {
-                    renewed.insert(id);
-                }
-            }
-        }
-        renewed
+        Self { state: state.clone(), canvas: SoftwareCanvas::new(state), repaint: Repaint::default() }
     }
 
     fn draw(&mut self, context: &Context, output: &mut FullOutput) {
         // Only egui's renderer can call what others draw.
         if output.shapes.iter().any(|clipped| matches!(clipped.shape, Shape::Callback(_))) {
-            self.drawn.clear();
-            self.canvas.forget();
+            self.repaint.forget();
             return;
         }
         let screen = context.viewport_rect();
         let shapes = mem::take(&mut output.shapes);
-        let new = pieces(context.tessellate(shapes, output.pixels_per_point));
-        let renewed = self.update_textures(output);
-        let damage = if self.canvas.fit(screen, output.pixels_per_point) {
-            damage(&self.drawn, &new, &renewed)
-        } else {
-            vec![screen]
+        let primitives = context.tessellate(shapes, output.pixels_per_point);
+        let mut renderer = self.state.renderer.write();
+        self.repaint.note_textures(&output.textures_delta);
+        for (id, deltas) in output.textures_delta.set.drain() {
+            for delta in &deltas {
+                renderer.update_texture(&self.state.device, &self.state.queue, id, delta);
+            }
+        }
+        let Some(area) = self.canvas.fit(screen, output.pixels_per_point) else {
+            self.repaint.forget();
+            return;
         };
-        let renderer = self.state.renderer.read();
-        self.canvas.draw(&new, &damage, |id| {
-            let bind_group = renderer.texture(&id)?.bind_group.clone();
-            Some(SoftwareTexture { bind_group, is_opaque: self.opaque.contains(&id) })
-        });
-        self.drawn = new;
+        let frame = self.repaint.frame(primitives, area);
+        self.canvas.draw(&frame, |id| Some(renderer.texture(&id)?.bind_group.clone()));
         if let Some(copy) = self.canvas.copy() {
             let callback = Callback::new_paint_callback(screen, copy);
             output.shapes = vec![ClippedShape::new(screen, callback)];

@@ -2,60 +2,10 @@
 
 use std::num::NonZeroU64;
 
-use bytemuck::{Pod, Zeroable};
-use egui::epaint::WHITE_UV;
-
-use super::damage::Triangle;
+use crate::shell::repaint::{CanvasVertex, FillKind};
 
 /// The format of the canvas: like the formats that egui prefers, it holds gamma-encoded colors.
 pub(super) const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
-
-/// Triangles of at least this area, in square points, are worth a change of the shader.
-const LARGE: f32 = 2000.0;
-
-/// A corner of a triangle: its place on the canvas from -1 to 1, in a texture from 0 to 1, and its color.
-#[derive(Clone, Copy, Pod, Zeroable)]
-#[repr(C)]
-pub(super) struct CanvasVertex {
-    pub(super) position: [f32; 2],
-    pub(super) uv: [f32; 2],
-    pub(super) color: [u8; 4],
-}
-
-/// The way that a triangle is colored.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum FillKind {
-    /// By its corners, hiding what is behind.
-    Opaque,
-    /// By its corners, over what is behind.
-    Plain,
-    /// By its corners and a texture, over what is behind.
-    Textured,
-    /// By its corners and a texture, hiding what is behind.
-    Picture,
-}
-
-impl FillKind {
-    /// Of a triangle with a texture, which is egui's own (of the fonts) or another.
-    pub(super) fn of(triangle: &Triangle, is_own: bool, is_opaque: bool) -> Self {
-        let hides = triangle.iter().all(|corner| corner.color.is_opaque());
-        if area(triangle) < LARGE {
-            Self::Textured
-        } else if is_own && triangle.iter().all(|corner| corner.uv == WHITE_UV) {
-            // egui draws areas with the white corner of its own texture.
-            if hides { Self::Opaque } else { Self::Plain }
-        } else if is_opaque && hides {
-            Self::Picture
-        } else {
-            Self::Textured
-        }
-    }
-}
-
-fn area([one, two, three]: &Triangle) -> f32 {
-    let (along, aside) = (two.pos - one.pos, three.pos - one.pos);
-    0.5 * (along.x * aside.y - along.y * aside.x).abs()
-}
 
 /// A pipeline for each kind of triangle, and one that copies the canvas to the screen.
 pub(super) struct CanvasPipelines {
