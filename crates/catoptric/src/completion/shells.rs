@@ -25,7 +25,7 @@ static WHOLE_WORD_BASH: OwnScript = OwnScript { shell: &Bash, script: BASH };
 static OPEN_ENDED_ZSH: OwnScript = OwnScript { shell: &Zsh, script: ZSH };
 
 const BASH: &str = r#"_catoptric() {
-    local line="${COMP_LINE:0:COMP_POINT}" words=() piece gap prefix count=0 index
+    local line="${COMP_LINE:0:COMP_POINT}" words=() piece gap prefix found count=0 index
     # Words as the program gets them.
     for ((index = 0; index <= COMP_CWORD; index++)); do
         gap="${line%%[! ]*}"
@@ -49,15 +49,17 @@ const BASH: &str = r#"_catoptric() {
         words[index]="${words[index]//\\/}"
     done
     COMPREPLY=()
-    # The last line has no end.
-    while IFS= read -r line || [[ -n $line ]]; do
+    # Not by <(...), which needs /dev/fd.
+    found="$(_CLAP_IFS=$'\n' _CLAP_COMPLETE_INDEX=$((count - 1)) VARIABLE=bash catoptric -- "${words[@]}" 2> /dev/null)"
+    while IFS= read -r line; do
+        if [[ -z $line ]]; then continue; fi
         line="${line#"${prefix//\\/}"}"
         if [[ $piece != [\"\']* ]]; then
             line="${line// /\\ }"
             line="${line//\"/\\\"}"
         fi
         COMPREPLY+=("$line")
-    done < <(_CLAP_IFS=$'\n' _CLAP_COMPLETE_INDEX=$((count - 1)) VARIABLE=bash catoptric -- "${words[@]}" 2> /dev/null)
+    done <<< "$found"
     if [[ ${#COMPREPLY[@]} -eq 1 && ${COMPREPLY[0]} == *[=/.:] ]]; then
         compopt -o nospace 2> /dev/null
     fi
