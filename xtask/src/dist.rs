@@ -35,6 +35,13 @@ const LIBRARIES: &[&str] = &["ld-linux", "libc.so.6", "libgcc_s.so.1", "libm.so.
 pub(crate) fn run(is_tried: bool) -> Result<()> {
     ensure!(cfg!(target_os = "linux"), "archives are made on Linux only");
     ensure!(exists("tar", "--version"), "tar is not installed");
+    if is_tried {
+        // Asked before the program is built, which takes minutes.
+        ensure!(
+            exists("debootstrap", "--version"),
+            "debootstrap is not installed (apt-get install debootstrap)"
+        );
+    }
     let name = format!("catoptric-{}-{}-linux", env!("CARGO_PKG_VERSION"), std::env::consts::ARCH);
     let dist = root().join("target/dist");
     let folder = dist.join(&name);

@@ -4,9 +4,9 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use anyhow::{Context as _, Result, ensure};
+use anyhow::{Context as _, Result};
 
-use xtask::shell::{self, command, exists};
+use xtask::shell::{self, command};
 
 /// The oldest Debian on which the archive is promised to run.
 const SUITE: &str = "bookworm";
@@ -47,7 +47,6 @@ const TRIALS: &[(&str, &str)] = &[
 
 /// Makes the system if it is not there yet, and tries everything in it.
 pub(super) fn run(dist: &Path, name: &str) -> Result<()> {
-    ensure!(exists("debootstrap", "--version"), "debootstrap is not installed (apt-get install debootstrap)");
     let system = dist.join(SUITE);
     if !system.join("usr/bin/Xvfb").exists() {
         let include = format!("--include={READERS},{STUDIO}");
