@@ -353,6 +353,17 @@ const CHECKS = {
     await laboratory.until("the scene", (state) => state.scene.includes("lonely"));
   },
 
+  async "says what is missing where nothing draws a window"(browser) {
+    const without = "OffscreenCanvas.prototype.getContext = () => null;\n";
+    const change = (name, bytes) => (name === "worker.js" ? Buffer.concat([Buffer.from(without), bytes]) : bytes);
+    const address = await serve(ISOLATION, { change });
+    const context = await browser.newContext({ locale: "ru-RU" });
+    const page = await context.newPage();
+    await page.goto(`${address}studio.html`);
+    const message = page.locator("#message", { hasText: "включите аппаратное ускорение" });
+    await message.waitFor({ timeout: PATIENCE });
+  },
+
   async "a lost worker is replaced, and the work comes back"(browser) {
     const laboratory = await Laboratory.open(browser);
     const moved = (await moveBall(laboratory)).scene;

@@ -129,7 +129,7 @@ function lose(studio, reason) {
   stop(studio);
   console.error("The studio is lost:", why);
   if (!wasShown) {
-    showFailure(say("failed"), why);
+    showFailure(say(why?.startsWith("WebGL 2") ? "noWebGl" : "failed"), why);
   } else if (performance.now() - studio.startedAt < SOON) {
     showFailure(say("failedAgain"), why);
   } else {
