@@ -51,6 +51,7 @@ impl SoftwareRenderer {
     }
 
     fn draw(&mut self, context: &Context, output: &mut FullOutput) {
+        self.repaint.note_textures(&output.textures_delta);
         // Only egui's renderer can call what others draw.
         if output.shapes.iter().any(|clipped| matches!(clipped.shape, Shape::Callback(_))) {
             self.repaint.forget();
@@ -60,7 +61,6 @@ impl SoftwareRenderer {
         let shapes = mem::take(&mut output.shapes);
         let primitives = context.tessellate(shapes, output.pixels_per_point);
         let mut renderer = self.state.renderer.write();
-        self.repaint.note_textures(&output.textures_delta);
         for (id, deltas) in output.textures_delta.set.drain() {
             for delta in &deltas {
                 renderer.update_texture(&self.state.device, &self.state.queue, id, delta);
