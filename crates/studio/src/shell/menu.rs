@@ -156,7 +156,8 @@ fn entries_ui(
         MenuItem::Do(command) => studio.situation().is_offered(command),
         MenuItem::Line | MenuItem::Sub(..) => true,
     };
-    for entry in entries.into_iter().filter(is_offered) {
+    let mut entries = entries.into_iter().filter(is_offered).peekable();
+    while let Some(entry) = entries.next() {
         let is_submenu = matches!(entry, MenuItem::Sub(..));
         let response = match entry {
             MenuItem::Do(command) => {
@@ -167,7 +168,10 @@ fn entries_ui(
                 response
             }
             MenuItem::Line => {
-                ui.separator();
+                // What would follow may not be offered: a page cannot quit.
+                if entries.peek().is_some_and(|next| !matches!(next, MenuItem::Line)) {
+                    ui.separator();
+                }
                 None
             }
             MenuItem::Sub(key, icon, content) => {
