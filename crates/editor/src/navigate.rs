@@ -5,6 +5,7 @@ mod range;
 
 use std::f64::consts::FRAC_PI_2;
 
+use catoptric_scene::bounds::BoundingSphere;
 use catoptric_scene::format::keys;
 use catoptric_scene::format::spec::{KeySpec, Limits};
 use catoptric_scene::{Camera, Projection};
@@ -14,9 +15,6 @@ pub use range::{CachedCameraRange, CameraRange};
 
 /// How near to the pole the view can be turned, radians. Nearer than that, the picture would spin under the pointer.
 const NEAREST_POLE: f64 = 0.002;
-
-/// Room around a framed ball, as a part of its radius.
-const MARGIN: f64 = 0.1;
 
 /// The side of the scene to look from, with Y up and the front towards +Z.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -169,24 +167,13 @@ pub fn fly(camera: &Camera, step_right_up_forward: DVec3, yaw_radians: f64, pitc
 }
 
 /// Makes a ball fill the picture, whose width is `aspect` times its height; the direction of view stays.
-///
-/// With the half angle α of the narrower side, the ball's outline touches the sides at the distance r / sin α.
 pub fn frame(camera: &Camera, center: DVec3, radius: f64, aspect: f64) -> Camera {
-    let aspect = if aspect > 0.0 { aspect } else { 1.0 };
-    let radius = if radius > 0.0 { radius } else { camera.position.distance(camera.target) * 0.1 };
-    let radius = radius * (1.0 + MARGIN);
-    let narrow = aspect.min(1.0);
-    let (distance, projection) = match camera.projection {
-        Projection::Perspective { fov_degrees } => {
-            let half = (0.5 * fov_degrees).to_radians();
-            (radius / (half.tan() * narrow).atan().sin(), camera.projection)
-        }
-        Projection::Parallel { .. } => {
-            (camera.position.distance(camera.target).max(2.0 * radius), parallel(2.0 * radius / narrow))
-        }
+    let framed = camera.framing(&BoundingSphere { center, radius }, aspect);
+    let projection = match framed.projection {
+        Projection::Parallel { height } => parallel(height),
+        perspective @ Projection::Perspective { .. } => perspective,
     };
-    let position = center - axes(camera).z_axis * distance;
-    moved(camera, Camera { position, target: center, projection, ..*camera })
+    moved(camera, Camera { projection, ..framed })
 }
 
 /// Looks at `center` from a side, at the same distance.

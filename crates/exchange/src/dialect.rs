@@ -13,6 +13,12 @@ pub struct Dialect {
     pub is_cylinder_at_base: bool,
     /// `cone-base`: the position of a cone is the center of its base, and its axis points to the apex.
     pub is_cone_at_base: bool,
+    /// `cone-angle`: half the angle at the apex stands in the place of a cone's diameter, degrees.
+    pub has_angle_of_cone: bool,
+    /// `cone-diameter`: a cone has its diameter, whatever its numbers look like.
+    pub has_diameter_of_cone: bool,
+    /// `cone-height-first`: the height of a cone stands before its diameter or angle.
+    pub has_height_of_cone_first: bool,
     /// `vertical-fov`: the angle of view is the vertical one.
     pub has_vertical_fov: bool,
     /// `left-handed`: with y up and z into the picture, x points to the right.
@@ -31,14 +37,31 @@ pub struct UnknownDialect {
 
 impl Dialect {
     /// The words, in the order of the fields.
-    pub const WORDS: [&'static str; 6] =
-        ["radius", "base", "cone-base", "vertical-fov", "left-handed", "added-reflection"];
+    pub const WORDS: [&'static str; 9] = [
+        "radius",
+        "base",
+        "cone-base",
+        "cone-angle",
+        "cone-diameter",
+        "cone-height-first",
+        "vertical-fov",
+        "left-handed",
+        "added-reflection",
+    ];
 
-    fn flags(&mut self) -> [&mut bool; 6] {
+    /// The radius that a number stands for which is a diameter, or is said to be a radius.
+    pub(crate) fn radius(self, number: f64) -> f64 {
+        if self.has_radius { number } else { 0.5 * number }
+    }
+
+    fn flags(&mut self) -> [&mut bool; 9] {
         [
             &mut self.has_radius,
             &mut self.is_cylinder_at_base,
             &mut self.is_cone_at_base,
+            &mut self.has_angle_of_cone,
+            &mut self.has_diameter_of_cone,
+            &mut self.has_height_of_cone_first,
             &mut self.has_vertical_fov,
             &mut self.is_left_handed,
             &mut self.has_added_reflection,

@@ -2,7 +2,7 @@
 
 use catoptric_scene::{Number, Sentence};
 
-use crate::phrase::{Argument, Kind, Title};
+use crate::phrase::{Argument, ConeNumbers, Kind, Title};
 
 catoptric_scene::messages! {
     // All formats.
@@ -21,6 +21,15 @@ catoptric_scene::messages! {
     TakenAsItIs:
         "it is taken as it is",
         "это берётся как есть";
+    NearestTaken:
+        "the nearest that is allowed is taken",
+        "берётся ближайшее допустимое";
+    WhiteTaken:
+        "white is taken",
+        "берётся белый";
+    AllInView:
+        "the camera is put where it sees all bodies",
+        "камера ставится так, чтобы видеть все тела";
     NotANumber { word: String }:
         "`{word}` is not a number",
         "`{word}` — не число";
@@ -53,6 +62,9 @@ catoptric_scene::messages! {
     ElementMissing { element: &'static str }:
         "the scene has no `{element}`",
         "в сцене нет `{element}`";
+    NoAmbientLight:
+        "there is no ambient light",
+        "фонового света нет";
     Lacks { element: String, argument: Argument }:
         "`{element}` lacks {argument}",
         "у `{element}` не хватает: {argument}";
@@ -128,6 +140,15 @@ catoptric_scene::messages! {
     ConeAtBase:
         "the position of a cone is taken as the center of its base, which is closed",
         "положение конуса взято как центр основания, оно закрыто";
+    ConeNumbers { numbers: ConeNumbers }:
+        "the numbers of a cone are taken as {numbers}",
+        "числа у конуса взяты так: {numbers}";
+    ConeDialects:
+        "`--dialect` with `cone-diameter`, `cone-angle` or `cone-height-first` says what they are",
+        "что это за числа, говорит `--dialect` со словом `cone-diameter`, `cone-angle` или `cone-height-first`";
+    ConeOfAngle { far: Number }:
+        "a cone with one number is endless on both sides of its apex, and drawn as far as {far}; the number is taken as half the angle there, in degrees",
+        "конус с одним числом бесконечен по обе стороны от вершины и рисуется до расстояния {far}; число взято как половина угла при вершине в градусах";
     SquareIsTurned:
         "a square has no thickness, and is turned along the shortest arc from +Y to its normal",
         "у квадрата нет толщины; он повёрнут кратчайшим путём от +Y к нормали";

@@ -1,6 +1,7 @@
 //! Scenes of *miniRT*: one element on each line.
 
 mod arguments;
+mod cone;
 mod property;
 mod read;
 mod write;

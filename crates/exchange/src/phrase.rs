@@ -19,6 +19,7 @@ pub(crate) enum Argument {
     Ratio,
     Brightness,
     FieldOfView,
+    HalfAngle,
     Width,
     PictureHeight,
     Shininess,
@@ -42,6 +43,7 @@ impl Phrase for Argument {
             Self::Ratio => ("the ratio of ambient light", "доля фонового света"),
             Self::Brightness => ("the brightness", "яркость"),
             Self::FieldOfView => ("the field of view", "угол зрения"),
+            Self::HalfAngle => ("half the angle at the apex", "половина угла при вершине"),
             Self::Width => ("the width of the picture", "ширина изображения"),
             Self::PictureHeight => ("the height of the picture", "высота изображения"),
             Self::Shininess => ("the exponent of the highlight", "показатель блика"),
@@ -99,5 +101,30 @@ impl Phrase for Title {
         };
         if name.is_empty() { format!("{kind} {index}") } else { format!("{kind} {}", quoted_name(name)) }
             .into()
+    }
+}
+
+/// What the numbers of the cones of a file are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct ConeNumbers {
+    /// Whether one of them is half the angle at the apex in degrees, not the diameter of the base.
+    pub(crate) has_angle: bool,
+    /// Whether the height is the first one.
+    pub(crate) is_height_first: bool,
+}
+
+impl Phrase for ConeNumbers {
+    fn phrase(&self, language: Language) -> Cow<'_, str> {
+        let (english, russian) = match (self.has_angle, self.is_height_first) {
+            (false, false) => ("diameter and height", "диаметр и высота"),
+            (true, false) => {
+                ("half the angle at the apex in degrees, and height", "половина угла при вершине в градусах и высота")
+            }
+            (false, true) => ("height and diameter", "высота и диаметр"),
+            (true, true) => {
+                ("height, and half the angle at the apex in degrees", "высота и половина угла при вершине в градусах")
+            }
+        };
+        language.pick(english, russian).into()
     }
 }

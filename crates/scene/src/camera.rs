@@ -2,6 +2,11 @@
 
 use glam::DVec3;
 
+use crate::bounds::BoundingSphere;
+
+/// Room around a ball that fills the picture, as a part of its radius.
+const MARGIN: f64 = 0.1;
+
 /// A camera that looks from `position` towards `target`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
@@ -23,6 +28,31 @@ impl Default for Camera {
             up: DVec3::Y,
             projection: Projection::default(),
         }
+    }
+}
+
+impl Camera {
+    /// The camera moved so that a ball fills the picture, whose width is `aspect` times its height; the direction of view
+    /// stays. A point is given the room that it has now. The result may be beyond what a scene can have.
+    ///
+    /// With the half angle α of the narrower side, the ball's outline touches the sides at the distance r / sin α.
+    pub fn framing(&self, ball: &BoundingSphere, aspect: f64) -> Self {
+        let narrow = if aspect > 0.0 { aspect.min(1.0) } else { 1.0 };
+        let distance = self.position.distance(self.target);
+        let radius = if ball.radius > 0.0 { ball.radius } else { distance * 0.1 } * (1.0 + MARGIN);
+        let (distance, projection) = match self.projection {
+            Projection::Perspective { fov_degrees } => {
+                let half = (0.5 * fov_degrees).to_radians();
+                (radius / (half.tan() * narrow).atan().sin(), self.projection)
+            }
+            Projection::Parallel { .. } => {
+                (distance.max(2.0 * radius), Projection::Parallel { height: 2.0 * radius / narrow })
+            }
+        };
+        let view = self.target - self.position;
+        // Scaled first, so that no square overflows or vanishes.
+        let forward = (view / view.abs().max_element()).normalize_or(DVec3::NEG_Z);
+        Self { position: ball.center - forward * distance, target: ball.center, projection, ..*self }
     }
 }
 

@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod body;
+pub mod bounds;
 mod camera;
 mod color;
 mod compound;

@@ -29,7 +29,7 @@ impl ChallengeReader {
         let name = table::name(&operation, "operation", &mut self.draft)?;
         let Some((_, shape)) = OPERATIONS.into_iter().find(|(known, _)| *known == name) else {
             let message = Message::UnknownOperation { name: name.to_owned() };
-            self.draft.error_with_help(&operation.span, message, Message::OperationsAre);
+            self.draft.refuse(&operation.span, message, Some(Message::OperationsAre));
             return None;
         };
         let [left, right] = sides;

@@ -29,11 +29,15 @@ impl ChallengeReader {
         let mut table = Table::open(node, "material", &mut self.draft)?;
         if let Some(color) = table.take(&["color"]) {
             let color = self.resolved(&color);
-            phong.pattern = table::color(&color, "color", &mut self.draft)?.into();
+            if let Some(color) = table::color(&color, "color", &mut self.draft) {
+                phong.pattern = color.into();
+            }
         }
         if let Some(pattern) = table.take(&["pattern"]) {
             let pattern = self.resolved(&pattern);
-            phong.pattern = self.pattern(&pattern, surface)?;
+            if let Some(pattern) = self.pattern(&pattern, surface) {
+                phong.pattern = pattern;
+            }
         }
         let draft = &mut self.draft;
         let any = [0.0, 1e6];

@@ -120,7 +120,7 @@ impl ChallengeReader {
                 self.draft.note(&span, Message::Mirrored, None);
                 self.draft.note(&span, Message::LightsAreCodes, Some(Message::ToneCurveHelp));
             }
-            None => self.draft.error(&(root.span.start..root.span.start), Message::NoCamera),
+            None => self.draft.lacks_camera(&(root.span.start..root.span.start), Message::NoCamera),
         }
     }
 
@@ -136,7 +136,7 @@ impl ChallengeReader {
 
     fn item(&mut self, item: &Rc<Node>) {
         let Value::Table(entries) = &item.value else {
-            self.draft.error(&item.span, Message::NotAScene);
+            self.draft.refuse(&item.span, Message::NotAScene, None);
             return;
         };
         let has = |name: &str| entries.iter().any(|(key, _)| key.text() == Some(name));
@@ -146,7 +146,7 @@ impl ChallengeReader {
             let outer = ObjectContext { world_from_object: DAffine3::IDENTITY, material: None, depth: 0 };
             self.add(item, &outer);
         } else {
-            self.draft.error_with_help(&item.span, Message::NotAddOrDefine, Message::NotAScene);
+            self.draft.refuse(&item.span, Message::NotAddOrDefine, Some(Message::NotAScene));
         }
     }
 
@@ -172,7 +172,7 @@ impl ChallengeReader {
 
     fn undefined(&mut self, name: &str, span: &Range<usize>) {
         let message = Message::Undefined { name: name.to_owned() };
-        self.draft.error_with_help(span, message, Message::DefinedBelow);
+        self.draft.refuse(span, message, Some(Message::DefinedBelow));
     }
 
     /// Adds what a table describes: a shape, a group, or what a definition stands for.
@@ -187,7 +187,13 @@ impl ChallengeReader {
         let name = table::name(&name_node, "add", &mut self.draft)?.to_owned();
         table.owner.clone_from(&name);
         match name.as_str() {
-            "camera" => return self.camera(table),
+            "camera" => {
+                let span = table.span.clone();
+                if self.camera(table).is_none() && self.draft.options.is_approximate {
+                    self.draft.lacks_camera(&span, Message::NoCamera);
+                }
+                return Some(());
+            }
             "light" => return self.light(table),
             _ => {}
         }
@@ -271,11 +277,12 @@ impl ChallengeReader {
         Some(())
     }
 
+    /// Takes the first camera; `None` if it cannot be read.
     fn camera(&mut self, mut table: Table) -> Option<()> {
         let span = table.span.clone();
         if self.camera.is_some() {
-            self.draft.error(&span, Message::CameraTwice);
-            return None;
+            self.draft.refuse(&span, Message::CameraTwice, None);
+            return Some(());
         }
         self.camera = Some(span.clone());
         let draft = &mut self.draft;
@@ -321,9 +328,10 @@ impl ChallengeReader {
         let span = table.span.clone();
         let intensity = table.take(&["intensity"]);
         let color = match intensity {
-            Some(node) => table::color(&self.resolved(&node), "intensity", &mut self.draft)?,
-            None => Color::WHITE,
+            Some(node) => table::color(&self.resolved(&node), "intensity", &mut self.draft),
+            None => None,
         };
+        let color = color.unwrap_or(Color::WHITE);
         let draft = &mut self.draft;
         let points = if let Some(corner) = table.take(&["corner"]) {
             let corner = table::vector(&corner, "corner", draft)?;

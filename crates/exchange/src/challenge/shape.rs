@@ -14,6 +14,7 @@ use crate::challenge::pattern::Surface;
 use crate::challenge::read::ChallengeReader;
 use crate::challenge::table::Table;
 use crate::challenge::yaml::Node;
+use crate::draft::FAR;
 use crate::message::Message;
 use crate::triangle::level_triangle_at;
 
@@ -26,16 +27,15 @@ pub(super) struct Solid {
     shape: Shape,
     /// Whether it is without caps.
     is_open: bool,
+    /// Whether it would have no end.
+    is_endless: bool,
     /// From the shape's own frame to the book's.
     object_from_shape: DAffine3,
 }
 
-/// How far cylinders and cones without end are drawn, meters.
-const FAR: f64 = 1e4;
-
 impl Solid {
     const fn plain(shape: Shape) -> Self {
-        Self { shape, is_open: false, object_from_shape: DAffine3::IDENTITY }
+        Self { shape, is_open: false, is_endless: false, object_from_shape: DAffine3::IDENTITY }
     }
 
     /// A solid around the y axis from one height to another, with its radius at both. An apex is above.
@@ -52,7 +52,7 @@ impl Solid {
         } else {
             Shape::Cone { radius, top_radius, height }
         };
-        Self { shape, is_open: false, object_from_shape }
+        Self { shape, is_open: false, is_endless: false, object_from_shape }
     }
 }
 
@@ -90,12 +90,13 @@ impl ChallengeReader {
         let is_closed =
             closed.is_some_and(|node| super::table::flag(&node, "closed", &mut self.draft) == Some(true));
         let name = name.to_owned();
-        if min.is_none() || max.is_none() {
+        let is_endless = min.is_none() || max.is_none();
+        if is_endless {
             self.draft.note(span, Message::Endless { name: name.clone(), far: FAR.into() }, None);
         }
         let (min, max) = (min.unwrap_or(-FAR), max.unwrap_or(FAR));
         if min >= max {
-            self.draft.error(span, Message::NoHeight { name });
+            self.draft.refuse(span, Message::NoHeight { name }, None);
             return Vec::new();
         }
         let is_open = !is_closed && self.operand.is_none();
@@ -103,7 +104,7 @@ impl ChallengeReader {
             self.draft.unsupported(span, Message::OpenEnds { name: name.clone() }, Message::IsClosed);
         }
         let radius = |y: f64| if name == "cylinder" { 1.0 } else { y.abs() };
-        let between = |ends: [f64; 2]| Solid { is_open, ..Solid::around_axis(ends, ends.map(radius)) };
+        let between = |ends: [f64; 2]| Solid { is_open, is_endless, ..Solid::around_axis(ends, ends.map(radius)) };
         if name == "cone" && min < 0.0 && max > 0.0 {
             vec![between([min, 0.0]), between([0.0, max])]
         } else {
@@ -124,21 +125,19 @@ impl ChallengeReader {
         let corners = corners.map(|corner| (mirror * world_from_object).transform_point3(corner));
         let (shape, placement) = level_triangle_at(corners);
         if is_flat(&world_from_object) {
-            return self.draft.error(span, Message::Flat);
+            return self.draft.refuse(span, Message::Flat, None);
         }
         let object_from_world = world_from_object.inverse() * mirror;
         let surface = Surface { object_from_world, placement: &placement, is_plane: true };
-        let Some(material) = self.material_of(material, &surface) else { return };
+        let material = self.material_of(material, &surface);
         self.draft.body(Body { placement, material, ..Body::of_shape(shape) }, span);
     }
 
-    /// What a surface is made of: the book's own material where none is given.
-    fn material_of(&mut self, node: Option<&Rc<Node>>, surface: &Surface<'_>) -> Option<MaterialChoice> {
-        let material = match node {
-            Some(node) => self.material(node, surface)?,
-            None => Material::Phong(default_material()),
-        };
-        Some(MaterialChoice::Inline(Box::new(material)))
+    /// What a surface is made of: the book's own material where none can be read.
+    fn material_of(&mut self, node: Option<&Rc<Node>>, surface: &Surface<'_>) -> MaterialChoice {
+        let material = node.and_then(|node| self.material(node, surface));
+        let material = material.unwrap_or_else(|| Material::Phong(default_material()));
+        MaterialChoice::Inline(Box::new(material))
     }
 
     /// The corners of a triangle.
@@ -162,7 +161,7 @@ impl ChallengeReader {
         // In our axes, the shape's own frame being mirrored too, which leaves the shape as it is.
         let world_from_shape = mirror * world_from_object * solid.object_from_shape * mirror;
         if is_flat(&world_from_object) {
-            return self.draft.error(span, Message::Flat);
+            return self.draft.refuse(span, Message::Flat, None);
         }
         let is_plane = solid.shape == Shape::Plane;
         if is_plane && self.operand.is_some() {
@@ -174,7 +173,7 @@ impl ChallengeReader {
         };
         let object_from_world = world_from_object.inverse() * mirror;
         let surface = Surface { object_from_world, placement: &placement, is_plane };
-        let Some(material) = self.material_of(material, &surface) else { return };
+        let material = self.material_of(material, &surface);
         let (shape, placement) = folded(solid.shape, placement);
         match &mut self.operand {
             Some(parts) => {
@@ -182,7 +181,12 @@ impl ChallengeReader {
             }
             None => {
                 let shape = if solid.is_open { opened(shape) } else { BodyShape::Plain(shape) };
-                self.draft.body(Body { placement, material, ..Body::of_shape(shape) }, span);
+                let body = Body { placement, material, ..Body::of_shape(shape) };
+                if solid.is_endless {
+                    self.draft.endless_body(body, span);
+                } else {
+                    self.draft.body(body, span);
+                }
             }
         }
     }

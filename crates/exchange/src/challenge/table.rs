@@ -29,14 +29,14 @@ impl Table {
     /// Opens a table. A value that is none is an error.
     pub(super) fn open(node: &Node, owner: &str, draft: &mut Draft) -> Option<Self> {
         let Value::Table(pairs) = &node.value else {
-            draft.error(&node.span, wrong(owner, node.kind(), Kind::Table));
+            draft.refuse(&node.span, wrong(owner, node.kind(), Kind::Table), None);
             return None;
         };
         let mut table = Self { owner: owner.to_owned(), span: node.span.clone(), entries: Vec::new() };
         for (key, value) in pairs {
             let name = key.text().unwrap_or_default().replace('_', "-");
             if table.entries.iter().any(|entry| entry.key == name) {
-                draft.error(&key.span, Message::KeyTwice { key: name });
+                draft.refuse(&key.span, Message::KeyTwice { key: name }, None);
             } else {
                 table.entries.push(Entry { key: name, span: key.span.clone(), value: Rc::clone(value) });
             }
@@ -55,7 +55,7 @@ impl Table {
         let found = self.take(keys);
         if found.is_none() {
             let key = keys.first().copied().unwrap_or_default().to_owned();
-            draft.error(&self.place(), Message::KeyMissing { owner: self.owner.clone(), key });
+            draft.refuse(&self.place(), Message::KeyMissing { owner: self.owner.clone(), key }, None);
         }
         found
     }
@@ -87,14 +87,14 @@ fn wrong(key: &str, found: Kind, expected: Kind) -> Message {
 /// A number from `low` to `high`.
 pub(super) fn number(node: &Node, key: &str, [low, high]: [f64; 2], draft: &mut Draft) -> Option<f64> {
     let Some(value) = node.number() else {
-        draft.error(&node.span, wrong(key, node.kind(), Kind::Number));
+        draft.refuse(&node.span, wrong(key, node.kind(), Kind::Number), None);
         return None;
     };
     if (low..=high).contains(&value) {
         return Some(value);
     }
     let [value, low, high] = [value, low, high].map(Into::into);
-    draft.error(&node.span, Message::KeyOutOfRange { key: key.to_owned(), value, low, high });
+    draft.refuse(&node.span, Message::KeyOutOfRange { key: key.to_owned(), value, low, high }, None);
     None
 }
 
@@ -105,7 +105,7 @@ pub(super) fn vector(node: &Node, key: &str, draft: &mut Draft) -> Option<DVec3>
     if let Some(&[x, y, z]) = numbers.as_deref() {
         return Some(DVec3::new(x, y, z));
     }
-    draft.error(&node.span, wrong(key, node.kind(), Kind::ThreeNumbers));
+    draft.refuse(&node.span, wrong(key, node.kind(), Kind::ThreeNumbers), None);
     None
 }
 
@@ -118,7 +118,7 @@ pub(super) fn color(node: &Node, key: &str, draft: &mut Draft) -> Option<Color> 
     for component in value.to_array() {
         if !(0.0..=1e6).contains(&component) {
             let [found, low, high] = [component, 0.0, 1e6].map(Into::into);
-            draft.error(&node.span, Message::KeyOutOfRange { key: key.to_owned(), value: found, low, high });
+            draft.refuse(&node.span, Message::KeyOutOfRange { key: key.to_owned(), value: found, low, high }, None);
             return None;
         }
     }
@@ -131,7 +131,7 @@ pub(super) fn flag(node: &Node, key: &str, draft: &mut Draft) -> Option<bool> {
         Some("true" | "True" | "yes") => Some(true),
         Some("false" | "False" | "no") => Some(false),
         _ => {
-            draft.error(&node.span, wrong(key, node.kind(), Kind::Flag));
+            draft.refuse(&node.span, wrong(key, node.kind(), Kind::Flag), None);
             None
         }
     }
@@ -141,7 +141,7 @@ pub(super) fn flag(node: &Node, key: &str, draft: &mut Draft) -> Option<bool> {
 pub(super) fn name<'n>(node: &'n Node, key: &str, draft: &mut Draft) -> Option<&'n str> {
     let text = node.text().filter(|text| !text.is_empty());
     if text.is_none() {
-        draft.error(&node.span, wrong(key, node.kind(), Kind::Name));
+        draft.refuse(&node.span, wrong(key, node.kind(), Kind::Name), None);
     }
     text
 }
@@ -150,7 +150,7 @@ pub(super) fn name<'n>(node: &'n Node, key: &str, draft: &mut Draft) -> Option<&
 pub(super) fn list<'n>(node: &'n Node, key: &str, draft: &mut Draft) -> Option<&'n [Rc<Node>]> {
     let list = node.list();
     if list.is_none() {
-        draft.error(&node.span, wrong(key, node.kind(), Kind::List));
+        draft.refuse(&node.span, wrong(key, node.kind(), Kind::List), None);
     }
     list
 }

@@ -35,7 +35,7 @@ impl ChallengeReader {
         if let Some(name) = item.text() {
             let Some(defined) = self.definition(name) else {
                 let message = Message::Undefined { name: name.to_owned() };
-                self.draft.error_with_help(&item.span, message, Message::DefinedBelow);
+                self.draft.refuse(&item.span, message, Some(Message::DefinedBelow));
                 return None;
             };
             if depth >= MOST_DEEP {
@@ -51,13 +51,13 @@ impl ChallengeReader {
         let name = items.first().and_then(|first| first.text()).unwrap_or_default().replace('_', "-");
         let Some(counts) = counts(&name) else {
             let message = Message::UnknownTransform { name };
-            self.draft.error_with_help(&whole.span, message, Message::TransformsAre);
+            self.draft.refuse(&whole.span, message, Some(Message::TransformsAre));
             return None;
         };
         let numbers: Option<Vec<f64>> = items.iter().skip(1).take(7).map(|item| item.number()).collect();
         let Some(numbers) = numbers.filter(|numbers| counts.contains(&numbers.len())) else {
             let count = counts.iter().map(usize::to_string).collect::<Vec<_>>().join(" / ");
-            self.draft.error(&whole.span, Message::TransformNumbers { name, count });
+            self.draft.refuse(&whole.span, Message::TransformNumbers { name, count }, None);
             return None;
         };
         Some(map(&name, &numbers))

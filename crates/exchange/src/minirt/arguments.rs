@@ -8,6 +8,7 @@ use glam::DVec3;
 use crate::draft::Draft;
 use crate::lines::{MOST_WORDS, Word, number, without_decimal_comma};
 use crate::message::Message;
+use crate::minirt::property::is_property;
 use crate::phrase::Argument;
 
 /// A value with its place.
@@ -31,6 +32,8 @@ pub(crate) struct Arguments<'t> {
     pub(crate) span: Range<usize>,
     /// Whether a word could not be read, so that what is missing may stand there.
     has_faults: bool,
+    /// Whether something is missing, which is said once.
+    has_gaps: bool,
 }
 
 impl<'t> Arguments<'t> {
@@ -39,32 +42,34 @@ impl<'t> Arguments<'t> {
         let is_too_long = words.len() > MOST_WORDS;
         let span = words.first()?.span.start..words.last()?.span.end;
         if is_too_long {
-            draft.error(&span, Message::LineTooLong { most: MOST_WORDS.to_string() });
+            draft.refuse(&span, Message::LineTooLong { most: MOST_WORDS.to_string() }, None);
             return None;
         }
         let mut words = words.into_iter();
         let element = words.next()?;
         let (mut points, mut numbers, mut properties) = (Vec::new(), Vec::new(), Vec::new());
-        let mut has_faults = false;
+        let (mut has_faults, mut follows_option) = (false, false);
         for word in joined(words, source) {
             let begins = |letters: fn(char) -> bool| word.text.trim_start_matches('-').starts_with(letters);
             let looks_like_number = begins(|letter| letter.is_ascii_digit() || "+-.,".contains(letter));
             if !looks_like_number {
+                follows_option = !is_property(word.text);
                 properties.push(word);
             } else if word.text.contains(',') {
                 match point(&word, draft) {
-                    Some(value) => points.push(Spanned { value, span: word.span }),
+                    Some(value) => points.push((Spanned { value, span: word.span }, follows_option)),
                     None => has_faults = true,
                 }
             } else {
                 match scalar(&word, draft) {
-                    Some(value) => numbers.push(Spanned { value, span: word.span }),
+                    Some(value) => numbers.push((Spanned { value, span: word.span }, follows_option)),
                     None => has_faults = true,
                 }
             }
         }
-        let (points, numbers) = (points.into_iter(), numbers.into_iter());
-        Some(Self { element, points, numbers, properties, span, has_faults })
+        let (point_count, number_count) = counts(element.text);
+        let (points, numbers) = (without_options(points, point_count), without_options(numbers, number_count));
+        Some(Self { element, points, numbers, properties, span, has_faults, has_gaps: false })
     }
 
     /// The next three numbers.
@@ -79,22 +84,29 @@ impl<'t> Arguments<'t> {
     /// The next three numbers as a direction of length 1.
     pub(crate) fn direction(&mut self, argument: Argument, draft: &mut Draft) -> Option<Spanned<DVec3>> {
         let Spanned { value, span } = self.point(argument, draft)?;
-        if value.abs().max_element() > 1.0 {
-            let help = Message::DirectionIs;
-            draft.error_with_help(&span, Message::NotADirection { argument, element: self.name() }, help);
+        let Some(direction) = value.try_normalize() else {
+            draft.refuse(&span, Message::ZeroDirection { argument }, Some(Message::DirectionIs));
             return None;
-        }
-        match value.try_normalize() {
-            Some(value) => Some(Spanned { value, span }),
-            None => {
-                draft.error_with_help(&span, Message::ZeroDirection { argument }, Message::DirectionIs);
-                None
+        };
+        if value.abs().max_element() > 1.0 {
+            let message = Message::NotADirection { argument, element: self.name() };
+            if !draft.options.is_approximate {
+                draft.error_with_help(&span, message, Message::DirectionIs);
+                return None;
             }
+            draft.unsupported(&span, message, Message::TakenAsItIs);
         }
+        Some(Spanned { value: direction, span })
     }
 
-    /// The next three numbers as a color, 0 to 255 each.
+    /// The next three numbers as a color, 0 to 255 each. Where a body lacks it, white is taken if the options allow it: many
+    /// programs have names or textures in its place.
     pub(crate) fn color(&mut self, draft: &mut Draft) -> Option<Spanned<Color>> {
+        if draft.options.is_approximate && !self.has_point() && !self.has_faults && !self.has_gaps {
+            let message = Message::Lacks { element: self.name(), argument: Argument::Color };
+            draft.unsupported(&self.span, message, Message::WhiteTaken);
+            return Some(Spanned { value: Color::WHITE, span: self.span.clone() });
+        }
         let Spanned { value, span } = self.point(Argument::Color, draft)?;
         let value = color(value, &span, draft)?;
         Some(Spanned { value, span })
@@ -124,8 +136,24 @@ impl<'t> Arguments<'t> {
         if (low..=high).contains(&found.value) {
             return Some(found);
         }
-        draft.error(&found.span, out_of_range(argument, found.value, [low, high]));
+        draft.refuse(&found.span, out_of_range(argument, found.value, [low, high]), None);
         None
+    }
+
+    /// The next number, from `low` to `high`; the nearest one that is, if the options allow it.
+    pub(crate) fn nearest(
+        &mut self,
+        argument: Argument,
+        [low, high]: [f64; 2],
+        draft: &mut Draft,
+    ) -> Option<Spanned<f64>> {
+        let value = self.numbers_left().first()?.value;
+        if (low..=high).contains(&value) || !draft.options.is_approximate {
+            return self.number(argument, [low, high], draft);
+        }
+        let Spanned { value, span } = self.numbers.next()?;
+        draft.unsupported(&span, out_of_range(argument, value, [low, high]), Message::NearestTaken);
+        Some(Spanned { value: value.clamp(low, high), span })
     }
 
     /// The next number, above 0.
@@ -134,7 +162,7 @@ impl<'t> Arguments<'t> {
         if found.value > 0.0 {
             return Some(found);
         }
-        draft.error(&found.span, Message::NotPositive { argument, value: found.value.into() });
+        draft.refuse(&found.span, Message::NotPositive { argument, value: found.value.into() }, None);
         None
     }
 
@@ -143,12 +171,7 @@ impl<'t> Arguments<'t> {
         let left = self.points.by_ref().map(|point| point.span);
         let left: Vec<_> = left.chain(self.numbers.by_ref().map(|number| number.span)).collect();
         for span in left {
-            let message = Message::TooMany { element: self.name() };
-            if draft.options.is_approximate {
-                draft.unsupported(&span, message, Message::LeftOut);
-            } else {
-                self.refuse(&span, message, draft);
-            }
+            self.refuse(&span, Message::TooMany { element: self.name() }, draft);
         }
     }
 
@@ -158,33 +181,67 @@ impl<'t> Arguments<'t> {
     }
 
     fn lack(&mut self, argument: Argument, draft: &mut Draft) {
-        // One mistake is reported once.
-        if std::mem::replace(&mut self.has_faults, true) {
+        // One mistake is reported once. Where words that cannot be read are left out, their element is, too.
+        let is_said = self.has_gaps || self.has_faults && !draft.options.is_approximate;
+        self.has_gaps = true;
+        if is_said {
             return;
         }
         self.refuse(&self.span, Message::Lacks { element: self.name(), argument }, draft);
     }
 
-    /// Adds an error, and how the element is written.
+    /// Refuses something, and says how the element is written.
     fn refuse(&self, span: &Range<usize>, message: Message, draft: &mut Draft) {
-        match usage(self.element.text) {
-            Some(usage) => draft.error_with_help(span, message, Message::Write { usage: usage.to_owned() }),
-            None => draft.error(span, message),
-        }
+        let help = usage(self.element.text).map(|usage| Message::Write { usage: usage.to_owned() });
+        draft.refuse(span, message, help);
     }
 }
 
-/// Words with points of which the commas are followed by spaces put together: `0, 1, 2`.
+/// How many points and numbers an element has to have.
+fn counts(element: &str) -> (usize, usize) {
+    match element {
+        "R" => (0, 2),
+        "A" => (1, 1),
+        "C" | "c" | "sp" => (2, 1),
+        "L" | "l" => (1, 1),
+        "pl" => (3, 0),
+        "cy" => (3, 2),
+        "sq" | "co" => (3, 1),
+        "tr" => (4, 0),
+        _ => (0, 0),
+    }
+}
+
+/// Values without those that follow an option that is not known, as far as `count` of them are left.
+fn without_options<T>(values: Vec<(T, bool)>, count: usize) -> std::vec::IntoIter<T> {
+    let mut spare = values.len().saturating_sub(count);
+    let mut kept = Vec::new();
+    for (value, follows_option) in values {
+        if follows_option && spare > 0 {
+            spare -= 1;
+        } else {
+            kept.push(value);
+        }
+    }
+    kept.into_iter()
+}
+
+/// Words put together: points with spaces around their commas, `0 , 1, 2`, and options with spaces before their values,
+/// `reflection= 0.3`.
 fn joined<'t>(words: impl Iterator<Item = Word<'t>>, source: &'t str) -> Vec<Word<'t>> {
     let commas = |text: &str| text.matches(',').count();
+    let is_number =
+        |text: &str| text.starts_with(|letter: char| letter.is_ascii_digit() || "+-.".contains(letter));
+    let belongs = |last: &str, next: &str| {
+        let is_point = is_number(last)
+            && (last.ends_with(',') && is_number(next) || next.starts_with(','))
+            && commas(last) + commas(next) <= 2;
+        is_point || last.ends_with(['=', ':']) && last.len() > 1 && !is_number(last)
+    };
     let mut joined: Vec<Word<'t>> = Vec::new();
     for word in words {
-        let is_number =
-            word.text.starts_with(|letter: char| letter.is_ascii_digit() || "+-.".contains(letter));
         match joined.last_mut() {
-            Some(last)
-                if is_number && last.text.ends_with(',') && commas(last.text) + commas(word.text) <= 2 =>
-            {
+            Some(last) if belongs(last.text, word.text) => {
                 last.span.end = word.span.end;
                 last.text = source.get(last.span.clone()).unwrap_or(last.text);
             }
@@ -205,9 +262,13 @@ pub(crate) fn color(codes: DVec3, span: &Range<usize>, draft: &mut Draft) -> Opt
     if codes.min_element() < 0.0 || codes.max_element() > 255.0 {
         let wrong = codes.to_array().into_iter().find(|code| !(0.0..=255.0).contains(code));
         let value = Number::from(wrong.unwrap_or_default());
-        draft.error_with_help(span, Message::NotAColor { value }, Message::ColorIs);
-        return None;
+        if !draft.options.is_approximate {
+            draft.error_with_help(span, Message::NotAColor { value }, Message::ColorIs);
+            return None;
+        }
+        draft.unsupported(span, Message::NotAColor { value }, Message::NearestTaken);
     }
+    let codes = codes.clamp(DVec3::ZERO, DVec3::splat(255.0));
     Some(Color::from((codes / 255.0).to_array()))
 }
 
@@ -216,7 +277,7 @@ fn point(word: &Word<'_>, draft: &mut Draft) -> Option<DVec3> {
     let parts: Vec<_> = word.text.split(',').map(str::trim).take(7).collect();
     if let Some(example) = without_decimal_comma(word.text) {
         let message = Message::DecimalComma { word: word.text.to_owned() };
-        draft.error_with_help(&word.span, message, Message::DecimalPoint { example });
+        draft.refuse(&word.span, message, Some(Message::DecimalPoint { example }));
         return None;
     }
     let numbers: Vec<f64> = parts.iter().map_while(|part| number(part)).collect();
@@ -225,12 +286,12 @@ fn point(word: &Word<'_>, draft: &mut Draft) -> Option<DVec3> {
         (_, 6) if numbers.len() == 6 => {
             let example = parts.chunks(2).map(|pair| pair.join(".")).collect::<Vec<_>>().join(",");
             let message = Message::DecimalComma { word: word.text.to_owned() };
-            draft.error_with_help(&word.span, message, Message::DecimalPoint { example });
+            draft.refuse(&word.span, message, Some(Message::DecimalPoint { example }));
             None
         }
         _ => {
             let message = Message::NotThreeNumbers { word: word.text.to_owned() };
-            draft.error_with_help(&word.span, message, Message::ThreeNumbersAre);
+            draft.refuse(&word.span, message, Some(Message::ThreeNumbersAre));
             None
         }
     }
@@ -239,7 +300,7 @@ fn point(word: &Word<'_>, draft: &mut Draft) -> Option<DVec3> {
 fn scalar(word: &Word<'_>, draft: &mut Draft) -> Option<f64> {
     let value = number(word.text);
     if value.is_none() {
-        draft.error(&word.span, Message::NotANumber { word: word.text.to_owned() });
+        draft.refuse(&word.span, Message::NotANumber { word: word.text.to_owned() }, None);
     }
     value
 }

@@ -15,6 +15,39 @@ use crate::phrase::Argument;
 /// The coefficient of a highlight of which only the exponent is given.
 const HIGHLIGHT: f64 = 0.5;
 
+/// What a bonus is about.
+#[derive(Clone, Copy)]
+enum Property {
+    Specular,
+    Shininess,
+    Reflection,
+    Checker,
+}
+
+impl Property {
+    /// The property of a name in small or capital letters; hyphens may stand in front.
+    fn of_name(name: &str) -> Option<Self> {
+        Some(match name.trim_start_matches('-').to_ascii_lowercase().as_str() {
+            "specular" | "spec" | "ks" => Self::Specular,
+            "shininess" | "shine" | "exponent" => Self::Shininess,
+            "reflection" | "reflect" | "refl" | "reflectivity" | "mirror" => Self::Reflection,
+            "checker" | "checkers" | "checkerboard" | "chess" | "cb" => Self::Checker,
+            _ => return None,
+        })
+    }
+}
+
+/// Whether a word is a property that is known, with or without its value.
+pub(super) fn is_property(word: &str) -> bool {
+    Property::of_name(name_and_value(word).0).is_some()
+}
+
+/// `name=value` or `name:value`; the value is empty where there is none.
+fn name_and_value(word: &str) -> (&str, &str) {
+    let (name, value) = word.split_once(['=', ':']).unwrap_or((word, ""));
+    (name, value.trim_start())
+}
+
 /// What the bonus says about a surface.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Finish {
@@ -81,24 +114,22 @@ impl Finish {
 
     /// Reads `name=value`; whether the name is known.
     fn property(&mut self, word: &Word<'_>, draft: &mut Draft) -> bool {
-        let (name, value) = word.text.split_once(['=', ':']).unwrap_or((word.text, ""));
+        let (name, value) = name_and_value(word.text);
         let at = word.span.end - value.len();
         let span = if value.is_empty() { word.span.clone() } else { at..word.span.end };
-        match name.trim_start_matches('-').to_ascii_lowercase().as_str() {
-            "specular" | "spec" | "ks" => {
+        match Property::of_name(name) {
+            Some(Property::Specular) => {
                 self.specular = quantity(value, &span, Argument::Specular, [0.0, 1.0], draft);
             }
-            "shininess" | "shine" | "exponent" => {
+            Some(Property::Shininess) => {
                 self.shininess = quantity(value, &span, Argument::Shininess, [0.0, 1e6], draft);
             }
-            "reflection" | "reflect" | "refl" | "reflectivity" | "mirror" => {
+            Some(Property::Reflection) => {
                 let found = quantity(value, &span, Argument::Reflection, [0.0, 1.0], draft);
                 self.reflection = found.unwrap_or_default();
             }
-            "checker" | "checkers" | "checkerboard" | "chess" | "cb" => {
-                self.checker = read_checker(value, &span, draft);
-            }
-            _ => {
+            Some(Property::Checker) => self.checker = read_checker(value, &span, draft),
+            None => {
                 let name = name.to_owned();
                 draft.unsupported(&word.span, Message::UnknownProperty { name }, Message::LeftOut);
                 return false;
@@ -150,7 +181,7 @@ fn read_checker(value: &str, span: &Range<usize>, draft: &mut Draft) -> Option<S
     let (codes, size) = value.split_once(':').map_or((value, None), |(codes, size)| (codes, Some(size)));
     let numbers: Vec<f64> = codes.split(',').take(4).filter_map(number).collect();
     let &[r, g, b] = numbers.as_slice() else {
-        draft.error(span, Message::CheckerIs);
+        draft.refuse(span, Message::CheckerIs, None);
         return None;
     };
     checker.color = color(DVec3::new(r, g, b), span, draft)?;
@@ -170,11 +201,11 @@ fn quantity(
     match number(value) {
         Some(value) if (low..=high).contains(&value) => Some(value),
         Some(value) => {
-            draft.error(span, out_of_range(argument, value, [low, high]));
+            draft.refuse(span, out_of_range(argument, value, [low, high]), None);
             None
         }
         None => {
-            draft.error(span, Message::NotANumber { word: value.to_owned() });
+            draft.refuse(span, Message::NotANumber { word: value.to_owned() }, None);
             None
         }
     }

@@ -9,13 +9,14 @@ use catoptric_scene::{
 use glam::{DQuat, DVec3};
 
 use crate::camera::{up_for, vertical_from_horizontal};
-use crate::draft::Draft;
+use crate::draft::{Draft, FAR};
 use crate::lines::{Word, lines};
 use crate::message::Message;
 use crate::minirt::arguments::{Arguments, Spanned, out_of_range};
+use crate::minirt::cone::{CONES, numbers_of};
 use crate::minirt::property::Finish;
 use crate::options::{DEFAULT_SIZE, ImportOptions, ImportedScene};
-use crate::phrase::Argument;
+use crate::phrase::{Argument, ConeNumbers};
 use crate::triangle::triangle_at;
 
 /// The elements in the order of the subject.
@@ -31,9 +32,13 @@ pub(crate) fn read(text: &str, options: &ImportOptions) -> Result<ImportedScene,
         ambient: None,
         camera: None,
         resolution: None,
+        cones: numbers_of(text, options.dialect),
         places: NotePlaces::default(),
     };
-    for words in lines(text) {
+    for mut words in lines(text) {
+        if let Some(word) = words.first_mut() {
+            word.text = usual_name(word.text);
+        }
         match words.first() {
             Some(word) if word.text != PROPERTIES && !ELEMENTS.contains(&word.text) => {
                 reader.end_body();
@@ -50,10 +55,21 @@ pub(crate) fn read(text: &str, options: &ImportOptions) -> Result<ImportedScene,
     reader.finish(text)
 }
 
+/// What the subject calls an element that some programs call otherwise.
+fn usual_name(word: &str) -> &str {
+    match word {
+        "tri" => "tr",
+        word if CONES.contains(&word) => "co",
+        word => word,
+    }
+}
+
 /// A body whose material is still to be told: properties may follow on the next line.
 struct OpenBody {
     shape: BodyShape,
     placement: Placement,
+    /// The other half of a shape without end, which has the same material.
+    other_half: Option<Placement>,
     color: Color,
     finish: Finish,
     span: Range<usize>,
@@ -68,23 +84,26 @@ struct View {
 
 /// The first places of what can be read in several ways; each is said once.
 #[derive(Default)]
-struct NotePlaces {
+pub(super) struct NotePlaces {
     cylinder: Option<Range<usize>>,
-    cone: Option<Range<usize>>,
+    pub(super) cone: Option<Range<usize>>,
+    pub(super) endless_cone: Option<Range<usize>>,
     square: Option<Range<usize>>,
     reflection: Option<Range<usize>>,
     highlight: Option<Range<usize>>,
     checker: Option<Range<usize>>,
 }
 
-struct MiniRtReader {
-    draft: Draft,
+/// A scene that is being read.
+pub(super) struct MiniRtReader {
+    pub(super) draft: Draft,
     body: Option<OpenBody>,
     ambient: Option<Range<usize>>,
     /// Where the first camera stands, and what it is if it could be read.
     camera: Option<(Range<usize>, Option<View>)>,
     resolution: Option<(Range<usize>, Option<[u32; 2]>)>,
-    places: NotePlaces,
+    pub(super) cones: ConeNumbers,
+    pub(super) places: NotePlaces,
 }
 
 impl MiniRtReader {
@@ -108,7 +127,7 @@ impl MiniRtReader {
         }
         let draft = &mut self.draft;
         for word in std::mem::take(&mut arguments.properties) {
-            draft.error(&word.span, Message::NotANumber { word: word.text.to_owned() });
+            draft.refuse(&word.span, Message::NotANumber { word: word.text.to_owned() }, None);
         }
         arguments.end(draft);
     }
@@ -130,6 +149,10 @@ impl MiniRtReader {
     fn is_first(first: Option<&Range<usize>>, arguments: &Arguments<'_>, draft: &mut Draft) -> bool {
         let Some(first) = first else { return true };
         let message = Message::ElementTwice { element: arguments.name() };
+        if draft.options.is_approximate {
+            draft.unsupported(&arguments.element.span, message, Message::LeftOut);
+            return false;
+        }
         let finding = Diagnostic::said(Severity::Error, arguments.element.span.clone(), message);
         draft.push(finding.related_to(first.clone(), Message::FirstTime));
         false
@@ -151,7 +174,7 @@ impl MiniRtReader {
     fn ambient(&mut self, arguments: &mut Arguments<'_>) {
         let draft = &mut self.draft;
         let is_first = Self::is_first(self.ambient.as_ref(), arguments, draft);
-        let ratio = arguments.number(Argument::Ratio, [0.0, 1.0], draft);
+        let ratio = arguments.nearest(Argument::Ratio, [0.0, 1.0], draft);
         let color = arguments.color(draft);
         if let (true, Some(ratio), Some(color)) = (is_first, ratio, color) {
             draft.scene.environment.ambient = color.value.to_array().map(|value| value * ratio.value).into();
@@ -164,7 +187,7 @@ impl MiniRtReader {
         let draft = &mut self.draft;
         let position = arguments.point(Argument::Position, draft);
         let direction = arguments.direction(Argument::Direction, draft);
-        let degrees = arguments.number(Argument::FieldOfView, [0.001, 179.9], draft);
+        let degrees = arguments.nearest(Argument::FieldOfView, [0.001, 179.9], draft);
         let view = position.zip(direction).zip(degrees).map(|((position, direction), degrees)| View {
             position: position.value,
             direction: direction.value,
@@ -206,11 +229,11 @@ impl MiniRtReader {
         let center = arguments.point(Argument::Position, draft);
         let diameter = arguments.size(Argument::Diameter, draft);
         let color = arguments.color(draft);
-        let radius = diameter.map(|diameter| self.radius(diameter.value));
+        let radius = diameter.map(|diameter| draft.options.dialect.radius(diameter.value));
         let geometry = center
             .zip(radius)
             .map(|(center, radius)| (plain(Shape::Sphere { radius }), Placement::at(center.value)));
-        self.open_body(geometry, color, arguments);
+        self.open_body(geometry, None, color, arguments);
     }
 
     fn plane(&mut self, arguments: &mut Arguments<'_>) {
@@ -220,45 +243,28 @@ impl MiniRtReader {
         let color = arguments.color(draft);
         let geometry =
             point.zip(normal).map(|(point, normal)| (plain(Shape::Plane), turned(point.value, normal.value)));
-        self.open_body(geometry, color, arguments);
+        self.open_body(geometry, None, color, arguments);
     }
 
     fn cylinder(&mut self, arguments: &mut Arguments<'_>) {
-        let Some((position, axis, radius, height, color)) = self.on_axis(arguments) else { return };
-        let dialect = self.draft.options.dialect;
-        let base = if dialect.is_cylinder_at_base { position } else { position - 0.5 * height * axis };
-        let placement =
-            Placement { anchor: Anchor::Axis { base, top: base + height * axis }, scale: DVec3::ONE };
-        self.places.cylinder.get_or_insert(arguments.span.clone());
-        self.open_body(Some((plain(Shape::Cylinder { radius, height }), placement)), Some(color), arguments);
-    }
-
-    fn cone(&mut self, arguments: &mut Arguments<'_>) {
-        let Some((position, axis, radius, height, color)) = self.on_axis(arguments) else { return };
-        let is_base = self.draft.options.dialect.is_cone_at_base;
-        let other = position + height * axis;
-        let (base, top) = if is_base { (position, other) } else { (other, position) };
-        let placement = Placement { anchor: Anchor::Axis { base, top }, scale: DVec3::ONE };
-        self.places.cone.get_or_insert(arguments.span.clone());
-        let shape = Shape::Cone { radius, top_radius: 0.0, height };
-        self.open_body(Some((plain(shape), placement)), Some(color), arguments);
-    }
-
-    /// Position, axis, radius, height and color of a body around an axis.
-    fn on_axis(&mut self, arguments: &mut Arguments<'_>) -> Option<(DVec3, DVec3, f64, f64, Spanned<Color>)> {
         let draft = &mut self.draft;
         let position = arguments.point(Argument::Position, draft);
         let axis = arguments.direction(Argument::Axis, draft);
         let diameter = arguments.size(Argument::Diameter, draft);
         let height = arguments.size(Argument::Height, draft);
         let color = arguments.color(draft);
-        let finished = position.zip(axis).zip(diameter.zip(height)).zip(color);
-        if finished.is_none() {
-            // What follows is read all the same, for its errors.
-            Finish::default().read(arguments, draft);
+        let dialect = draft.options.dialect;
+        let geometry = position.zip(axis).zip(diameter.zip(height)).map(|((position, axis), (diameter, height))| {
+            let (position, axis, height) = (position.value, axis.value, height.value);
+            let base = if dialect.is_cylinder_at_base { position } else { position - 0.5 * height * axis };
+            let anchor = Anchor::Axis { base, top: base + height * axis };
+            let shape = Shape::Cylinder { radius: dialect.radius(diameter.value), height };
+            (plain(shape), Placement { anchor, scale: DVec3::ONE })
+        });
+        if geometry.is_some() {
+            self.places.cylinder.get_or_insert(arguments.span.clone());
         }
-        let (((position, axis), (diameter, height)), color) = finished?;
-        Some((position.value, axis.value, self.radius(diameter.value), height.value, color))
+        self.open_body(geometry, None, color, arguments);
     }
 
     fn square(&mut self, arguments: &mut Arguments<'_>) {
@@ -273,7 +279,7 @@ impl MiniRtReader {
             (shape, turned(center.value, normal.value))
         });
         self.places.square.get_or_insert(arguments.span.clone());
-        self.open_body(geometry, color, arguments);
+        self.open_body(geometry, None, color, arguments);
     }
 
     fn triangle(&mut self, arguments: &mut Arguments<'_>) {
@@ -283,16 +289,14 @@ impl MiniRtReader {
         let [a, b, c] = corners.map(|corner| corner.map(|corner| corner.value));
         let corners = a.zip(b).zip(c).map(|((a, b), c)| [a, b, c]);
         let geometry = corners.map(triangle_at);
-        self.open_body(geometry, color, arguments);
+        self.open_body(geometry, None, color, arguments);
     }
 
-    fn radius(&self, diameter: f64) -> f64 {
-        if self.draft.options.dialect.has_radius { diameter } else { 0.5 * diameter }
-    }
-
-    fn open_body(
+    /// Takes a body, with the other half of one without end, and the properties behind its arguments.
+    pub(super) fn open_body(
         &mut self,
         geometry: Option<(BodyShape, Placement)>,
+        other_half: Option<Placement>,
         color: Option<Spanned<Color>>,
         arguments: &mut Arguments<'_>,
     ) {
@@ -300,7 +304,7 @@ impl MiniRtReader {
         finish.read(arguments, &mut self.draft);
         let Some(((shape, placement), color)) = geometry.zip(color) else { return };
         let span = arguments.span.clone();
-        self.body = Some(OpenBody { shape, placement, color: color.value, finish, span });
+        self.body = Some(OpenBody { shape, placement, other_half, color: color.value, finish, span });
     }
 
     /// A line of properties belongs to the body before it.
@@ -315,7 +319,7 @@ impl MiniRtReader {
 
     fn end_body(&mut self) {
         let Some(body) = self.body.take() else { return };
-        let OpenBody { shape, placement, color, finish, span } = body;
+        let OpenBody { shape, placement, other_half, color, finish, span } = body;
         let places = &mut self.places;
         for (place, is_so) in [
             (&mut places.reflection, finish.reflects()),
@@ -327,18 +331,32 @@ impl MiniRtReader {
             }
         }
         let material = MaterialChoice::Inline(Box::new(finish.material(color, self.draft.options.dialect)));
-        self.draft.body(Body { placement, material, ..Body::of_shape(shape) }, &span);
+        let body = Body { placement, material, ..Body::of_shape(shape) };
+        match other_half {
+            Some(placement) => {
+                self.draft.endless_body(Body { placement, ..body.clone() }, &span);
+                self.draft.endless_body(body, &span);
+            }
+            None => self.draft.body(body, &span),
+        }
     }
 
     fn finish(mut self, text: &str) -> Result<ImportedScene, Diagnostics> {
         let start = if text.starts_with('\u{feff}') { 3 } else { 0 };
         let draft = &mut self.draft;
-        for (is_missing, element) in [(self.ambient.is_none(), "A"), (self.camera.is_none(), "C")] {
-            if is_missing {
-                let usage = super::arguments::usage(element).unwrap_or_default().to_owned();
-                let message = Message::ElementMissing { element };
-                draft.error_with_help(&(start..start), message, Message::Write { usage });
+        let place = start..start;
+        if self.ambient.is_none() {
+            let message = Message::ElementMissing { element: "A" };
+            if draft.options.is_approximate {
+                draft.unsupported(&place, message, Message::NoAmbientLight);
+            } else {
+                let usage = super::arguments::usage("A").unwrap_or_default().to_owned();
+                draft.error_with_help(&place, message, Message::Write { usage });
             }
+        }
+        let has_camera = self.camera.as_ref().is_some_and(|(_, view)| view.is_some());
+        if !has_camera && (self.camera.is_none() || draft.options.is_approximate) {
+            draft.lacks_camera(&place, Message::ElementMissing { element: "C" });
         }
         if let Some((_, Some(size))) = self.resolution {
             draft.size.get_or_insert(size);
@@ -365,6 +383,17 @@ impl MiniRtReader {
         if let Some(span) = &places.cone {
             let message = if dialect.is_cone_at_base { Message::ConeAtBase } else { Message::ConeAtApex };
             draft.note(span, message, (!dialect.is_cone_at_base).then(|| dialect_help("cone-base")));
+        }
+        for (span, is_endless) in [(&places.cone, false), (&places.endless_cone, true)] {
+            if let Some(span) = span {
+                let numbers = self.cones;
+                let message = if is_endless {
+                    Message::ConeOfAngle { far: FAR.into() }
+                } else {
+                    Message::ConeNumbers { numbers }
+                };
+                draft.note(span, message, (!is_endless).then_some(Message::ConeDialects));
+            }
         }
         if let Some(span) = &places.square {
             draft.note(span, Message::SquareIsTurned, None);

@@ -47,7 +47,8 @@ struct NffReader {
     draft: Draft,
     /// The material of what follows.
     fill: Option<Phong>,
-    view: Option<Range<usize>>,
+    /// Where the first view stands, and whether it could be read.
+    view: Option<(Range<usize>, bool)>,
     /// What the other side of the last surface would be, which is the body of this index.
     last_side: Option<(usize, Vec<f64>)>,
     /// Lights whose color follows from their number.
@@ -58,7 +59,7 @@ impl NffReader {
     fn record<'t>(&mut self, line: &[Word<'t>], rest: &mut impl Iterator<Item = Vec<Word<'t>>>) {
         let Some(first) = line.first() else { return };
         if line.len() > MOST_WORDS {
-            self.draft.error(&first.span, Message::LineTooLong { most: MOST_WORDS.to_string() });
+            self.draft.refuse(&first.span, Message::LineTooLong { most: MOST_WORDS.to_string() }, None);
             return;
         }
         let span = first.span.start..line.last().map_or(first.span.end, |last| last.span.end);
@@ -76,7 +77,7 @@ impl NffReader {
             "p" | "pp" => self.polygon(line, &span, rest),
             word => {
                 let message = Message::NoRecord { word: word.to_owned() };
-                self.draft.error_with_help(&first.span, message, Message::RecordsAre);
+                self.draft.refuse(&first.span, message, Some(Message::RecordsAre));
             }
         }
     }
@@ -104,7 +105,7 @@ impl NffReader {
             match number(word.text) {
                 Some(value) => found.push(value),
                 None => {
-                    self.draft.error(&word.span, Message::NotANumber { word: word.text.to_owned() });
+                    self.draft.refuse(&word.span, Message::NotANumber { word: word.text.to_owned() }, None);
                     return None;
                 }
             }
@@ -113,22 +114,22 @@ impl NffReader {
             return Some(found);
         }
         let count = counts.iter().map(usize::to_string).collect::<Vec<_>>().join(" / ");
-        self.draft.error(span, Message::RecordCount { record, count });
+        self.draft.refuse(span, Message::RecordCount { record, count }, None);
         None
     }
 
     fn view<'t>(&mut self, span: &Range<usize>, rest: &mut impl Iterator<Item = Vec<Word<'t>>>) {
         let is_second = self.view.is_some();
         if is_second {
-            self.draft.error(span, Message::ViewTwice);
+            self.draft.refuse(span, Message::ViewTwice, None);
         }
-        self.view = Some(span.clone());
+        self.view.get_or_insert((span.clone(), false));
         let mut values: Vec<f64> = Vec::new();
         for (name, expected, count) in VIEW {
             let line = rest.next().unwrap_or_default();
             let place = line.first().map_or(span, |word| &word.span).clone();
             if line.first().is_none_or(|word| word.text != name) {
-                self.draft.error(&place, Message::RecordLine { expected });
+                self.draft.refuse(&place, Message::RecordLine { expected }, None);
                 return;
             }
             let Some(numbers) = self.numbers(&line, name, &[count], &place) else { return };
@@ -149,6 +150,7 @@ impl NffReader {
         if is_second {
             return;
         }
+        self.view = Some((span.clone(), true));
         let draft = &mut self.draft;
         draft.size.get_or_insert([width as u32, height as u32]);
         draft.camera_span = span.clone();
@@ -170,7 +172,7 @@ impl NffReader {
         let is_in = (low..=high).contains(&value);
         if !is_in {
             let [value, low, high] = [value, low, high].map(Into::into);
-            self.draft.error(span, Message::RecordRange { what, value, low, high });
+            self.draft.refuse(span, Message::RecordRange { what, value, low, high }, None);
         }
         is_in
     }
@@ -284,7 +286,7 @@ impl NffReader {
         let material = self.material(span);
         let is_inner = radius < 0.0 || top_radius < 0.0;
         if is_inner && (radius > 0.0 || top_radius > 0.0) {
-            return self.draft.error(span, Message::MixedRadii);
+            return self.draft.refuse(span, Message::MixedRadii, None);
         }
         let mirrored = vec![x, y, z, -radius, top_x, top_y, top_z, -top_radius];
         if self.completes(&numbers, mirrored) {
@@ -319,7 +321,7 @@ impl NffReader {
         let Some(numbers) = self.numbers(line, record, &[1], span) else { return };
         let count = numbers.first().copied().unwrap_or_default();
         if count.fract() != 0.0 || !(3.0..=MOST_CORNERS as f64).contains(&count) {
-            self.draft.error(span, Message::PolygonCount { most: MOST_CORNERS.to_string() });
+            self.draft.refuse(span, Message::PolygonCount { most: MOST_CORNERS.to_string() }, None);
             return;
         }
         let mut corners = Vec::new();
@@ -364,8 +366,13 @@ impl NffReader {
     fn finish(mut self, text: &str) -> Result<ImportedScene, Diagnostics> {
         let draft = &mut self.draft;
         match &self.view {
-            Some(span) => draft.note(&span.clone(), Message::LightsAreCodes, Some(Message::ToneCurveHelp)),
-            None => draft.error(&(0..0), Message::NoView),
+            Some((span, _)) => {
+                draft.note(&span.clone(), Message::LightsAreCodes, Some(Message::ToneCurveHelp));
+            }
+            None => draft.lacks_camera(&(0..0), Message::NoView),
+        }
+        if let (Some((span, false)), true) = (&self.view, draft.options.is_approximate) {
+            draft.lacks_camera(span, Message::NoView);
         }
         if let Some((_, span)) = self.colorless.first() {
             // Haines: with n lights each has the intensity √n / n.

@@ -368,3 +368,38 @@ fn an_area_light_is_a_grid_of_lights() {
     assert!(found.contains("`usteps` is 99"), "{found}");
     assert!(found.contains("lacks `vsteps`"), "{found}");
 }
+
+fn approximately(text: &str) -> catoptric_exchange::ImportedScene {
+    good(FORMAT, text, &ImportOptions { is_approximate: true, ..ImportOptions::default() })
+}
+
+#[test]
+fn without_a_camera_all_bodies_are_in_view() {
+    let text = "- add: light\n  at: [-5, 5, -5]\n- add: sphere\n  transform: [[translate, 0, 0, 3]]\n\
+                - add: cylinder\n- add: plane\n- add: triangle\n  p1: [90, 0, 0]\n  p2: [91, 0, 0]\n  p3: [92, 0, 0]\n";
+    assert!(bad(FORMAT, text).starts_with("1:1: error: the scene has no camera"), "{}", bad(FORMAT, text));
+    let found = approximately(text);
+    // Neither what has no end nor what is left out counts.
+    let camera = found.scene.camera;
+    assert_eq!((camera.target, found.scene.bodies.len()), (DVec3::new(0.0, 0.0, -3.0), 3), "{}", found.report);
+    let distance = camera.position.distance(camera.target);
+    assert!((distance - 1.1 / 13.5_f64.to_radians().sin()).abs() < 1e-9, "{distance}");
+    assert!(pixel(&found, [9, 9], [4, 4]).iter().sum::<f32>() > 0.0);
+    // A camera that cannot be read is none.
+    let found = approximately("- add: camera\n  from: [0, 0, 1]\n- add: sphere\n");
+    assert_eq!(found.scene.camera.target, DVec3::ZERO);
+}
+
+/// What would be an error of one object leaves out that object.
+#[test]
+fn one_object_does_not_stop_a_scene() {
+    let text = scene(
+        "- options:\n  depth: 3\n- add: point-light\n- add: triangle\n  p1: [0, 0, 0]\n  p2: [1, 0, 0]\n  p3: [2, 0, 0]\n\
+         - add: sphere\n  transform: [[scale, 0, 1, 1]]\n- add: cylinder\n  min: 2\n  max: 1\n- add: cube\n  transform: [[twist, 3]]\n\
+         - define: m\n- add: sphere\n  material: m\n- add: cone\n  min: low\n  max: 1\n- add: group\n  children:\n  - add: cube\n  - 7\n",
+    );
+    assert!(bad(FORMAT, &text).lines().count() > 7, "{}", bad(FORMAT, &text));
+    let shapes: Vec<_> = approximately(&text).scene.bodies.iter().map(|body| body.shape).collect();
+    let cube = Shape::Cube { size: DVec3::splat(2.0) };
+    assert!(shapes.contains(&Shape::SPHERE) && shapes.contains(&cube) && shapes.len() == 4, "{shapes:?}");
+}

@@ -4,12 +4,17 @@ use catoptric_exchange::{ForeignFormat, ImportOptions, read};
 use catoptric_scene::Language;
 
 /// Texts to be changed.
-const SEEDS: [(ForeignFormat, &str); 3] = [
+const SEEDS: [(ForeignFormat, &str); 4] = [
     (
         ForeignFormat::MiniRt,
         "R 640 480\nA 0.2 255,255,255\nC 0,0,5 0,0,-1 60\nL 0,4,4 0.5 255,255,255\nsp 0,0,0 2 255,102,0 reflection=0.3\n\
          cy 0,0,0 0,1,0 1 2 9,9,9 12 0.5 1\nma checker:1,2,3:0.5\nsq 1,2,3 0,1,0 4 1,2,3\nco 0,0,0 0,1,0 1 2 9,9,9\n\
          pl 0,-1,0 0,1,0 1,1,1 checker\ntr 0,0,0 1,0,0 0,1,0 9,9,9 # end\n",
+    ),
+    (
+        ForeignFormat::MiniRt,
+        "R depth:8 soft:1\nA 0.2 255 ,255 , 255\nC 0,0,5 0,0,-1 60 0.0\nL 0,4,4 0.5\nsp metal 0.3 0,0,0 rough: 0.2 2 9,9,9\n\
+         co 0,0,0 0,1,0 30 4 9,9,9\ncn 0,9,0 0,1,0 20 9,9,9 cd:1,2,3:4,5,6:1\ntri 0,0,0 1,0,0 0,1,0 m_wall\nsp 1,1,1 3\n",
     ),
     (
         ForeignFormat::Challenge,

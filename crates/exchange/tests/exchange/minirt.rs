@@ -1,7 +1,7 @@
 //! miniRT: known answers, dialects, the school's errors.
 
 use catoptric_exchange::{ForeignFormat, ImportOptions};
-use catoptric_scene::{Anchor, Projection, Severity, Shape};
+use catoptric_scene::{Anchor, Color, Projection, Severity, Shape, ShapeKind};
 use glam::DVec3;
 
 use crate::common::{assert_light, bad, count, good, pixel};
@@ -109,13 +109,15 @@ fn bonus_numbers_and_lines_of_properties_are_read() {
     assert_eq!((phong(1).reflection(), phong(1).diffuse), (0.25, 0.75));
 }
 
-/// Commas may be followed by spaces, and `//` begins a comment.
+/// Commas may have spaces around them, and `//` begins a comment.
 #[test]
 fn other_ways_to_write_are_read() {
-    let text = "A 1 0, 0,\t255 // dim\n// C\nC 0, 1, 5  0,0, -1 60\nsp 0, -.5,  2 1 9,9, 9 reflection=0.5\n";
+    let text = "A 1 0, 0,\t255 // dim\n// C\nC 0, 1, 5  0 ,0, -1 60\nsp 0 , -.5 ,2 1 9,9 ,9 reflection= 0.5\n";
     let scene = good(FORMAT, text, &ImportOptions::default()).scene;
     assert_eq!(scene.camera.position, DVec3::new(0.0, 1.0, 5.0));
     assert_eq!(scene.bodies[0].placement.origin(), DVec3::new(0.0, -0.5, 2.0));
+    let body = &scene.bodies[0];
+    assert_eq!(scene.material(&body.material).unwrap().as_phong().unwrap().reflection(), 0.5);
     let found = bad(FORMAT, "A 1 0,0,0\nC 0,0,5, 0,0,-1 60\n");
     assert!(found.starts_with("2:3: error: `0,0,5,` is not three numbers"), "{found}");
 }
@@ -197,4 +199,102 @@ fn what_is_not_drawn_can_be_left_out() {
         "{}",
         found.report
     );
+}
+
+fn approximate() -> ImportOptions {
+    ImportOptions { is_approximate: true, ..ImportOptions::default() }
+}
+
+/// A program's own options, before, between and behind the values that are needed.
+#[test]
+fn options_of_a_program_are_left_out_wherever_they_stand() {
+    let text = "R max_depth:8 soft:1\nS name:First\nA 1 255,255,255\nC 0,0,5 0,0,-1 60 0.0 1.0\n\
+                L 0,0,9 0.9 9,9,9 sr:7680,4320\n\
+                sp metal 0.3 0,1,0 rough: 0.2 2 250,120,100 glossy 7 8\n\
+                pl 0,0,0 0,1,0 200,200,200 cd:250,215,160:236,112,99:1\ncy GLASS 0,0,0 0,1,0 2 9,9,9 4\n";
+    let found = good(FORMAT, text, &approximate());
+    let shapes: Vec<_> = found.scene.bodies.iter().map(|body| body.shape).collect();
+    let cylinder = Shape::Cylinder { radius: 1.0, height: 4.0 };
+    assert_eq!(shapes, [Shape::Sphere { radius: 1.0 }, Shape::Plane, cylinder], "{}", found.report);
+    let sphere = &found.scene.bodies[0];
+    let phong = found.scene.material(&sphere.material).unwrap().as_phong().unwrap();
+    assert_eq!((phong.reflection(), phong.specular, found.size), (0.0, 0.0, None));
+    let said = found.report.to_string();
+    for line in ["1:1: warning: `R` lacks", "2:1: warning", "5:19: warning", "6:4: warning", "7:28: warning"] {
+        assert!(said.contains(line), "{line}\n{said}");
+    }
+    assert_eq!(bad(FORMAT, text).lines().count(), count(&found.report, Severity::Warning));
+}
+
+/// What would be an error of one element leaves out that element, or the nearest is taken.
+#[test]
+fn one_element_does_not_stop_a_scene() {
+    let text = "A 1.5 300,0,-1\nC 0,0,5 0,0,-2 60\nC 1,0,0 1,0,0 60\nL 0,9,9 1 9,9,9\n\
+                tr 0,0,0 1,0,0 2,0,0 9,9,9\nsp 0,0,0 0 9,9,9\ncy 0,0,0 0,0,0 1 1 9,9,9\nsq 0,0,0 0,1,0 -1 9,9,9\n\
+                sp 0,0 2 9,9,9\nsp 1,0,0 2 m_wall\ntri 0,0,0 1,0,0 0,1,0 9,9,9\n";
+    let found = good(FORMAT, text, &approximate());
+    let bodies: Vec<_> = found.scene.bodies.iter().map(|body| body.body_shape().kind()).collect();
+    assert_eq!(bodies, [ShapeKind::Sphere, ShapeKind::Triangle], "{}", found.report);
+    let sphere = found.scene.material(&found.scene.bodies[0].material).unwrap().as_phong().unwrap();
+    assert_eq!(sphere.pattern.color, Color::WHITE);
+    assert_eq!(found.scene.environment.ambient, Color::new(1.0, 0.0, 0.0));
+    assert_eq!(found.scene.camera.target, DVec3::new(0.0, 0.0, 4.0));
+    assert!(found.report.to_string().contains("5:1: warning: body 1: the corners"), "{}", found.report);
+}
+
+#[test]
+fn without_camera_and_ambient_light_all_bodies_are_in_view() {
+    let text = "sp 10,0,0 2 9,9,9\nsp 14,0,0 2 9,9,9\nsp 1,2,3 0 9,9,9\npl 0,-9,0 0,1,0 9,9,9\n";
+    assert_eq!(bad(FORMAT, text).lines().count(), 3);
+    let found = good(FORMAT, text, &approximate());
+    assert_eq!(found.scene.environment.ambient, Color::BLACK);
+    assert_eq!(found.scene.camera.target, DVec3::X * 12.0);
+    // A ball of radius 3 about (12, 0, 0) with a tenth of room touches the edge of a view of 27°.
+    let distance = found.scene.camera.position.distance(found.scene.camera.target);
+    assert!((distance - 3.3 / 13.5_f64.to_radians().sin()).abs() < 1e-9, "{distance}");
+    // What cannot be a camera is none.
+    let beyond = "A 0 9,9,9\nC 0,0,2e9 0,0,-1 60\nsp 10,0,0 2 9,9,9\n";
+    assert_eq!(good(FORMAT, beyond, &approximate()).scene.camera.target, DVec3::X * 10.0);
+}
+
+#[test]
+fn cones_have_the_numbers_that_fit_the_file() {
+    let shapes = |cones: &str, dialect: &str| {
+        let text = format!("A 1 255,255,255\nC 0,0,5 0,0,-1 60\n{cones}");
+        let found = good(FORMAT, &text, &with(&text, dialect));
+        let all: Vec<_> = found.scene.bodies.iter().map(|body| (body.shape, body.placement.anchor)).collect();
+        (all, found.report.to_string())
+    };
+    let cone = |radius: f64, height: f64| Shape::Cone { radius, top_radius: 0.0, height };
+    let near = |found: Shape, expected: Shape| match (found, expected) {
+        (Shape::Cone { radius: a, height: b, .. }, Shape::Cone { radius: c, height: d, .. }) => {
+            (a - c).abs() < 1e-9 * c && (b - d).abs() < 1e-9 * d
+        }
+        _ => false,
+    };
+    let slope = 30_f64.to_radians().tan();
+    for (numbers, dialect, radius, height) in [
+        ("2 3", "", 1.0, 3.0),
+        ("30 4", "", 4.0 * slope, 4.0),
+        ("30 4", "cone-diameter", 15.0, 4.0),
+        ("30 40", "cone-angle", 40.0 * slope, 40.0),
+        ("4 30", "cone-angle,cone-height-first", 4.0 * slope, 4.0),
+        ("4 30", "cone-height-first,radius", 30.0, 4.0),
+    ] {
+        let (found, report) = shapes(&format!("co 0,0,0 0,-1,0 {numbers} 9,9,9"), dialect);
+        assert!(near(found[0].0, cone(radius, height)), "{numbers} {dialect}: {found:?}");
+        assert!(report.contains("3:1: note: the numbers of a cone are taken as"), "{report}");
+    }
+    // One number: a double cone without end.
+    let (found, report) = shapes("cn 1,2,3 0,-1,0 60 9,9,9", "cone-base");
+    assert_eq!(found.len(), 2);
+    for ((shape, anchor), side) in found.into_iter().zip([1.0, -1.0]) {
+        assert!(near(shape, cone(1e4 * 0.75_f64.sqrt(), 5e3)), "{shape:?}");
+        let Anchor::Axis { base, top } = anchor else { panic!("{anchor:?}") };
+        assert_eq!(top, DVec3::new(1.0, 2.0, 3.0));
+        assert!((base - top).abs_diff_eq(DVec3::Y * (side * 5e3), 1e-6), "{base}");
+    }
+    assert!(report.contains("3:1: note: a cone with one number is endless"), "{report}");
+    let wide = "A 1 9,9,9\nC 0,0,5 0,0,-1 60\nco 0,0,0 0,1,0 90 9,9,9";
+    assert!(bad(FORMAT, wide).starts_with("3:16: error: half the angle at the apex is 90, but must be from"));
 }

@@ -119,3 +119,17 @@ fn errors_have_their_places() {
         assert!(found.starts_with(expected), "{text}\n{found}");
     }
 }
+
+/// What would be an error of one record leaves out that record, and a view that is not there sees all.
+#[test]
+fn one_record_does_not_stop_a_scene() {
+    let text = "f 1 1 1 1 0 1 0 0\nq 1\ns 0 0 0 1\ns 0 0 0 0\ns 0 0\np 3\n0 0 0\n1 0 0\n2 0 0\nc 0 0 0 1 0 1 0 -1\nl 0 x 0\n";
+    assert!(bad(FORMAT, text).starts_with("1:1: error: the scene has no view `v`"));
+    let options = ImportOptions { is_approximate: true, ..ImportOptions::default() };
+    for view in ["", "v\nfrom 0 0 5\nat nowhere\n"] {
+        let found = good(FORMAT, &format!("{view}{text}"), &options);
+        let shapes: Vec<_> = found.scene.bodies.iter().map(|body| body.shape).collect();
+        assert_eq!(shapes, [Shape::SPHERE], "{}", found.report);
+        assert_eq!(found.scene.camera.target, glam::DVec3::ZERO);
+    }
+}
