@@ -94,7 +94,7 @@ pub(crate) struct ImportArguments {
 /// How linear light becomes what a display shows.
 #[derive(Debug, Args)]
 pub(crate) struct DevelopmentArguments {
-    /// Exposure in stops: each doubles the light; linear formats (.exr, .hdr) stay as they are
+    /// Exposure in stops: each doubles the light; linear formats (.exr, .hdr, .pfm) stay as they are
     #[arg(long, value_name = "EV", default_value_t = 0.0, allow_negative_numbers = true, value_parser = finite)]
     pub exposure: f64,
     /// How light beyond white is fitted in; linear formats stay as they are; none by default, linear-codes for a scene of
@@ -117,7 +117,7 @@ pub(crate) struct StudioArguments {
 pub(crate) struct RenderArguments {
     /// A scene file, or the name of a built-in scene
     pub scene: PathBuf,
-    /// The picture to write; its extension decides: .png, .jpg, .webp, .tif (display), .exr or .hdr (linear light); -
+    /// The picture to write; its extension decides: .png, .jpg, .webp, .tif (display), .exr, .hdr or .pfm (linear light); -
     /// for standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,

@@ -24,6 +24,8 @@ pub enum PictureFormat {
     Bmp,
     /// Netpbm: PPM, PGM, PBM and PAM, codes of 8 or 16 bits as text or bytes; written as PPM of 8 bits.
     Ppm,
+    /// Portable float map: linear light in 32-bit floats, gray or RGB; written as RGB.
+    Pfm,
 }
 
 /// The type of a channel's numbers in a written file.
@@ -44,8 +46,17 @@ impl SampleDepth {
 
 impl PictureFormat {
     /// All formats, in the order in which to offer them.
-    pub const ALL: [Self; 8] =
-        [Self::Png, Self::Exr, Self::Jpeg, Self::Hdr, Self::WebP, Self::Tiff, Self::Bmp, Self::Ppm];
+    pub const ALL: [Self; 9] = [
+        Self::Png,
+        Self::Exr,
+        Self::Jpeg,
+        Self::Hdr,
+        Self::WebP,
+        Self::Tiff,
+        Self::Bmp,
+        Self::Ppm,
+        Self::Pfm,
+    ];
 
     /// The name of the format, such as `PNG`.
     pub const fn name(self) -> &'static str {
@@ -58,6 +69,7 @@ impl PictureFormat {
             Self::Tiff => "TIFF",
             Self::Bmp => "BMP",
             Self::Ppm => "PPM",
+            Self::Pfm => "PFM",
         }
     }
 
@@ -72,6 +84,7 @@ impl PictureFormat {
             Self::Tiff => &["tif", "tiff"],
             Self::Bmp => &["bmp"],
             Self::Ppm => &["ppm", "pnm"],
+            Self::Pfm => &["pfm"],
         }
     }
 
@@ -79,7 +92,7 @@ impl PictureFormat {
     pub const fn depths(self) -> &'static [SampleDepth] {
         match self {
             Self::Png => &[SampleDepth::EIGHT, SampleDepth::SIXTEEN],
-            Self::Exr | Self::Hdr => &[SampleDepth::Linear],
+            Self::Exr | Self::Hdr | Self::Pfm => &[SampleDepth::Linear],
             Self::Jpeg | Self::WebP | Self::Ppm => &[SampleDepth::EIGHT],
             Self::Tiff => &[SampleDepth::SIXTEEN, SampleDepth::EIGHT, SampleDepth::Linear],
             Self::Bmp => &[],
@@ -157,6 +170,10 @@ impl PictureFormat {
             && (space.is_ascii_whitespace() || *space == b'#')
         {
             Some(Self::Ppm)
+        } else if let [b'P', b'F' | b'f', space, ..] = start
+            && space.is_ascii_whitespace()
+        {
+            Some(Self::Pfm)
         } else {
             None
         }
@@ -185,7 +202,7 @@ mod tests {
     fn what_is_only_read_is_not_offered_for_writing() {
         let (read, written) =
             (PictureFormat::extensions_in_words(false), PictureFormat::extensions_in_words(true));
-        assert_eq!(read, ".png, .exr, .jpg, .jpeg, .hdr, .webp, .tif, .tiff, .bmp, .ppm or .pnm");
-        assert_eq!(written, ".png, .exr, .jpg, .jpeg, .hdr, .webp, .tif, .tiff, .ppm or .pnm");
+        assert_eq!(read, ".png, .exr, .jpg, .jpeg, .hdr, .webp, .tif, .tiff, .bmp, .ppm, .pnm or .pfm");
+        assert_eq!(written, ".png, .exr, .jpg, .jpeg, .hdr, .webp, .tif, .tiff, .ppm, .pnm or .pfm");
     }
 }

@@ -2,7 +2,9 @@
 
 mod decode_exr;
 mod decode_image;
+mod decode_pfm;
 mod decode_png;
+mod decode_tiff;
 mod dwa;
 mod guard;
 mod layers;
@@ -185,7 +187,8 @@ impl ReadOptions {
     ///   The orientation in the Exif data of JPEG and WebP, and in the tags of TIFF, is followed.
     /// - PPM, PGM, PBM and PAM, as text or bytes: 8- and 16-bit codes as sRGB, brought to the largest one that the file
     ///   declares.
-    /// - TIFF: 8 and 16 bits as sRGB, 32-bit floats as linear light.
+    /// - TIFF: 8 and 16 bits, palettes and gray of fewer bits as sRGB, 32-bit floats as linear light.
+    /// - PFM: linear light, multiplied by the scale of the file.
     /// - Radiance HDR: linear light, as it is stored (`EXPOSURE` is not divided out). Not read: XYZ.
     ///
     /// Pipes and devices are read to their end first; `-` is standard input.
@@ -235,6 +238,8 @@ impl ReadOptions {
         guard::guarded(format, || match format {
             PictureFormat::Png => decode_png::decode_png(source, length, self),
             PictureFormat::Exr => decode_exr::decode_exr(source, length, self),
+            PictureFormat::Pfm => decode_pfm::decode_pfm(source, length, self),
+            PictureFormat::Tiff => decode_tiff::decode_tiff(source, self),
             _ => decode_image::decode_image(source, length, format, self),
         })
     }

@@ -2,6 +2,7 @@
 
 pub(crate) mod encode_exr;
 mod encode_image;
+mod encode_pfm;
 pub(crate) mod encode_png;
 pub(crate) mod save;
 

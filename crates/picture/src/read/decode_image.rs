@@ -1,4 +1,4 @@
-//! JPEG, Radiance HDR, WebP, TIFF, BMP and PPM to linear light, by the decoders of the `image` crate.
+//! JPEG, Radiance HDR, WebP, BMP and PPM to linear light, by the decoders of the `image` crate.
 
 use std::error::Error as _;
 use std::io::{ErrorKind, Read, Seek, SeekFrom};
@@ -7,7 +7,6 @@ use image::codecs::bmp::BmpDecoder;
 use image::codecs::hdr::HdrDecoder;
 use image::codecs::jpeg::JpegDecoder;
 use image::codecs::pnm::PnmDecoder;
-use image::codecs::tiff::TiffDecoder;
 use image::codecs::webp::WebPDecoder;
 use image::metadata::Orientation;
 use image::{ColorType, ImageDecoder, ImageError, Limits};
@@ -24,7 +23,7 @@ const JPEG: u64 = 4096;
 const PBM: u64 = 8;
 /// Bytes of memory that decoders take by themselves for each byte that they give, at most: coefficients of progressive
 /// JPEG, copies of WebP, strips of TIFF.
-const WORK: u64 = 4;
+pub(super) const WORK: u64 = 4;
 
 /// Decodes a file of `length` bytes.
 pub(super) fn decode_image(
@@ -59,7 +58,6 @@ pub(super) fn decode_image(
             check_length(decoder.total_bytes(), length, PBM)?;
             picture_of(decoder, format, options)
         }
-        PictureFormat::Tiff => picture_of(TiffDecoder::new(source).map_err(refused)?, format, options),
         _ => {
             check_length_of_bmp(&mut source, length)?;
             picture_of(BmpDecoder::new(source).map_err(refused)?, format, options)
@@ -68,7 +66,7 @@ pub(super) fn decode_image(
 }
 
 /// Decodes the pixels, upright, and turns codes into light.
-fn picture_of(
+pub(super) fn picture_of(
     mut decoder: impl ImageDecoder,
     format: PictureFormat,
     options: &ReadOptions,
@@ -131,20 +129,20 @@ fn color_of<const N: usize>(pixel: &[u8], light: impl Fn(&[u8; N]) -> f32) -> [f
 }
 
 /// The map from stored pixels to the upright picture.
-struct UprightMapping {
+pub(super) struct UprightMapping {
     /// Pixels across, as stored.
-    width: u32,
+    pub(super) width: u32,
     /// Pixels down, as stored.
-    height: u32,
-    orientation: Orientation,
+    pub(super) height: u32,
+    pub(super) orientation: Orientation,
 }
 
 impl UprightMapping {
     /// The upright picture of the stored pixels, in their order.
-    fn fill<'s>(
+    pub(super) fn fill<S>(
         &self,
-        pixels: impl Iterator<Item = &'s [u8]>,
-        color: impl Fn(&'s [u8]) -> [f32; 3],
+        pixels: impl Iterator<Item = S>,
+        color: impl Fn(S) -> [f32; 3],
     ) -> Result<Picture, DecodeError> {
         if self.orientation == Orientation::NoTransforms {
             let mut picture = Picture::new(self.width, self.height)?;
@@ -242,7 +240,7 @@ fn check_length_of_bmp(source: &mut Source<'_>, length: u64) -> Result<(), Decod
 }
 
 /// What a decoder's error means.
-fn refusal(format: PictureFormat, error: ImageError) -> DecodeError {
+pub(super) fn refusal(format: PictureFormat, error: ImageError) -> DecodeError {
     let corrupt = |reason: String| DecodeError::Corrupt { format: format.name(), reason };
     // The whole error begins with words that are said already.
     let reason = error.source().map_or_else(|| error.to_string(), ToString::to_string);

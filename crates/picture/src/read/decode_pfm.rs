@@ -19,7 +19,9 @@ pub(super) fn decode_pfm(
     let channels = match word(&mut source)?.as_str() {
         "PF" => 3,
         "Pf" => 1,
-        other => return Err(corrupt(format!("it begins with `{}`, not with `PF` or `Pf`", other.escape_debug()))),
+        other => {
+            return Err(corrupt(format!("it begins with `{}`, not with `PF` or `Pf`", other.escape_debug())));
+        }
     };
     let mut side = || -> Result<u32, DecodeError> {
         let text = word(&mut source)?;

@@ -211,10 +211,16 @@ fn palette(map: &[u16], bits: u32) -> Result<Vec<[f32; 3]>, DecodeError> {
     else {
         return Err(corrupt("the palette is too short".to_owned()));
     };
-    // Some old programs write codes of 8 bits, as libtiff knows: then none is larger.
-    let most = if map.iter().all(|code| *code < 256) { 255 } else { 65_535 };
+    // Some programs put codes of 8 bits into the upper halves alone, so that white is 0xff00, and old ones into the lower.
+    let (most, shift) = if map.iter().all(|code| *code < 256) {
+        (255, 0)
+    } else if map.iter().all(|code| code % 256 == 0) {
+        (255, 8)
+    } else {
+        (65_535, 0)
+    };
     let light = Transfer::Srgb.table(most);
-    let value = |code: &u16| light.get(usize::from(*code)).copied().unwrap_or_default();
+    let value = |code: &u16| light.get(usize::from(code >> shift)).copied().unwrap_or_default();
     let colors = red.iter().zip(green).zip(blue);
     Ok(colors.map(|((red, green), blue)| [value(red), value(green), value(blue)]).collect())
 }

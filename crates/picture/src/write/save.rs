@@ -10,6 +10,7 @@ use super::encode_exr::encode_exr_to;
 use super::encode_image::{
     encode_hdr_to, encode_jpeg_to, encode_ppm_to, encode_tiff_codes_to, encode_tiff_light_to, encode_webp_to,
 };
+use super::encode_pfm::encode_pfm_to;
 use super::encode_png::encode_png_to;
 use crate::develop::{Developed, Development};
 use crate::format::{PictureFormat, SampleDepth};
@@ -160,6 +161,7 @@ impl PreparedPicture<'_> {
         match (&self.pixels, self.format) {
             (Pixels::Light(picture), PictureFormat::Hdr) => encode_hdr_to(sink, picture),
             (Pixels::Light(picture), PictureFormat::Tiff) => encode_tiff_light_to(sink, picture),
+            (Pixels::Light(picture), PictureFormat::Pfm) => encode_pfm_to(sink, picture),
             (Pixels::Light(picture), _) => encode_exr_to(sink, picture),
             (Pixels::Codes(codes), PictureFormat::Jpeg) => encode_jpeg_to(sink, codes, self.quality),
             (Pixels::Codes(codes), PictureFormat::WebP) => encode_webp_to(sink, codes),

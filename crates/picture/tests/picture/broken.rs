@@ -2,7 +2,9 @@
 
 use std::io::Cursor;
 
-use crate::samples::{chunk_into, crc, dwa, exr_of, halves, png_of, progressive_jpeg, stored_png};
+use crate::samples::{
+    chunk_into, crc, dwa, exr_of, halves, palette_tiff, pfm, png_of, progressive_jpeg, stored_png,
+};
 use catoptric_picture::{
     BitDepth, DecodeError, Development, Picture, PictureFormat, ReadOptions, SampleDepth, SaveOptions,
     decode, encode_exr, encode_png,
@@ -180,6 +182,9 @@ fn broken_files_of_the_other_formats_are_errors() {
         ("HDR", saved(PictureFormat::Hdr, None)),
         ("BMP", bmp.into_inner()),
         ("PPM of bytes", saved(PictureFormat::Ppm, None)),
+        ("PFM", saved(PictureFormat::Pfm, None)),
+        ("gray PFM of large numbers first", pfm(b"Pf\n2 3\n0.5\n", &[0.1, 0.2, 0.3, 0.4, 0.5, 0.6])),
+        ("TIFF with a palette", palette_tiff(33, 20, 4)),
         ("PPM of text", b"P3\n# made by hand\n2 2\n255\n0 7 15  15 0 7\n3 3 3 255 0 1\n".to_vec()),
     ];
     break_all(&seeds, &["JPEG", "WebP", "TIFF", "BMP"]);

@@ -1,4 +1,4 @@
-//! JPEG, WebP, TIFF, BMP and Radiance HDR: what is read and what is written.
+//! JPEG, WebP, TIFF, BMP, PFM and Radiance HDR: what is read and what is written.
 
 use std::io::Cursor;
 
@@ -51,7 +51,10 @@ fn formats_without_loss_bring_back_their_codes() {
 
 #[test]
 fn linear_formats_bring_back_the_light() {
-    for (format, depth) in [(PictureFormat::Exr, None), (PictureFormat::Tiff, Some(SampleDepth::Linear))] {
+    let linear = Some(SampleDepth::Linear);
+    for (format, depth) in
+        [(PictureFormat::Exr, None), (PictureFormat::Pfm, None), (PictureFormat::Tiff, linear)]
+    {
         assert!(decode(&saved(&picture(), format, depth)).unwrap() == picture(), "{}", format.name());
     }
     let back = decode(&saved(&picture(), PictureFormat::Hdr, None)).unwrap();

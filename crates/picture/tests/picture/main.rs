@@ -11,6 +11,8 @@ mod broken;
 mod comparing;
 mod files;
 mod formats;
+mod palette;
 mod perception;
+mod pfm;
 mod reading;
 mod samples;

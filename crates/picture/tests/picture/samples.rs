@@ -108,3 +108,69 @@ pub fn progressive_jpeg(rgb: &[u8], width: u16, height: u16) -> Vec<u8> {
     encoder.encode(rgb, width, height, jpeg_encoder::ColorType::Rgb).unwrap();
     bytes
 }
+
+/// A PFM of this head with these numbers, the largest byte of each first.
+pub fn pfm(head: &[u8], values: &[f32]) -> Vec<u8> {
+    head.iter().copied().chain(values.iter().flat_map(|value| value.to_be_bytes())).collect()
+}
+
+/// The color of an index in the palette of [`palette_tiff`], codes of 8 bits.
+pub fn palette_color(index: usize) -> [u16; 3] {
+    [index * 5 % 256, 255 - index * 3 % 256, index * 7 % 256].map(|code| code as u16)
+}
+
+/// The index at column `x`, row `y` of [`palette_tiff`].
+pub fn palette_index(x: usize, y: usize, bits: usize) -> usize {
+    (x * 3 + y * 5) % (1 << bits)
+}
+
+/// An uncompressed little-endian TIFF with a palette and two strips, as TIFF 6.0 says, section 5.
+pub fn palette_tiff(width: usize, height: usize, bits: usize) -> Vec<u8> {
+    let row = |y: usize| {
+        let mut bytes = vec![0_u8; (width * bits).div_ceil(8)];
+        for x in 0..width {
+            let at = x * bits;
+            bytes[at / 8] |= (palette_index(x, y, bits) << (8 - bits - at % 8)) as u8;
+        }
+        bytes
+    };
+    let (first, rest) = (height / 2 + 1, height - height / 2 - 1);
+    let strips = [0..first, first..height].map(|rows| rows.flat_map(row).collect::<Vec<u8>>());
+    let colors: Vec<_> = (0..1 << bits).map(palette_color).collect();
+    let map: Vec<u8> = (0..3)
+        .flat_map(|channel| colors.iter().flat_map(move |color| (color[channel] * 257).to_le_bytes()))
+        .collect();
+    let [top, bottom] = &strips;
+    assert!(rest > 0);
+    // Behind the head: the strips, the palette, two tables of two offsets, the directory.
+    let map_at = 8 + top.len() + bottom.len();
+    let tables_at = map_at + map.len();
+    let directory_at = tables_at + 16;
+    let mut file = b"II\x2a\0".to_vec();
+    file.extend((directory_at as u32).to_le_bytes());
+    file.extend([top.as_slice(), bottom, &map].concat());
+    for number in [8, 8 + top.len(), top.len(), bottom.len()] {
+        file.extend((number as u32).to_le_bytes());
+    }
+    let tags = [
+        (256, 3, 1, width),
+        (257, 3, 1, height),
+        (258, 3, 1, bits),
+        (259, 3, 1, 1),
+        (262, 3, 1, 3),
+        (273, 4, 2, tables_at),
+        (277, 3, 1, 1),
+        (278, 3, 1, first),
+        (279, 4, 2, tables_at + 8),
+        (320, 3, 3 << bits, map_at),
+    ];
+    file.extend((tags.len() as u16).to_le_bytes());
+    for (tag, kind, count, value) in tags {
+        file.extend((tag as u16).to_le_bytes());
+        file.extend((kind as u16).to_le_bytes());
+        file.extend((count as u32).to_le_bytes());
+        file.extend((value as u32).to_le_bytes());
+    }
+    file.extend([0; 4]);
+    file
+}

@@ -188,7 +188,7 @@ fn pictures_that_cannot_be_opened_are_told_where_they_are_named() {
     let expected = format!(
         "4:11: {none}\n\
          6:17: error: cannot open the picture `no.png`: this is none of the formats that are read \
-         (PNG, EXR, JPEG, HDR, WebP, TIFF, BMP, PPM); convert it to one of these\n\
+         (PNG, EXR, JPEG, HDR, WebP, TIFF, BMP, PPM, PFM); convert it to one of these\n\
          7:17: error: cannot open the picture `builtin:gird`: there is no built-in picture of this name; \
          there are evening, studio, planet, grid\n8:17: {none}"
     );

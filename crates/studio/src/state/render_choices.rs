@@ -46,12 +46,14 @@ pub enum PictureKind {
     Tiff,
     /// Radiance HDR: the linear light with a common exponent.
     Hdr,
+    /// Portable float map: the linear light itself.
+    Pfm,
 }
 
 impl PictureKind {
     /// All of them, in the order in which to offer them.
-    pub const ALL: [Self; 7] =
-        [Self::Png8, Self::Png16, Self::Exr, Self::Jpeg, Self::WebP, Self::Tiff, Self::Hdr];
+    pub const ALL: [Self; 8] =
+        [Self::Png8, Self::Png16, Self::Exr, Self::Jpeg, Self::WebP, Self::Tiff, Self::Hdr, Self::Pfm];
 
     /// The format of the file.
     pub const fn format(self) -> PictureFormat {
@@ -62,6 +64,7 @@ impl PictureKind {
             Self::WebP => PictureFormat::WebP,
             Self::Tiff => PictureFormat::Tiff,
             Self::Hdr => PictureFormat::Hdr,
+            Self::Pfm => PictureFormat::Pfm,
         }
     }
 
@@ -70,7 +73,7 @@ impl PictureKind {
         match self {
             Self::Png8 | Self::Jpeg | Self::WebP => SampleDepth::EIGHT,
             Self::Png16 | Self::Tiff => SampleDepth::SIXTEEN,
-            Self::Exr | Self::Hdr => SampleDepth::Linear,
+            Self::Exr | Self::Hdr | Self::Pfm => SampleDepth::Linear,
         }
     }
 
@@ -94,6 +97,7 @@ impl PictureKind {
             Self::WebP => "render-kind-webp",
             Self::Tiff => "render-kind-tiff",
             Self::Hdr => "render-kind-hdr",
+            Self::Pfm => "render-kind-pfm",
         }
     }
 
