@@ -132,6 +132,17 @@ fn the_platform_alone_asks_the_system() {
     assert!(faults.is_empty(), "use catoptric_platform instead:\n{}", faults.join("\n"));
 }
 
+/// Whoever cites the program says which one it was.
+#[test]
+fn the_citation_has_the_version_of_the_workspace() {
+    let manifest: toml_edit::DocumentMut =
+        fs::read_to_string(root().join("Cargo.toml")).unwrap().parse().unwrap();
+    let version = manifest["workspace"]["package"]["version"].as_str().unwrap();
+    let citation = fs::read_to_string(root().join("CITATION.cff")).unwrap();
+    let value = |key: &str| citation.lines().find_map(|line| line.strip_prefix(key)).map(str::trim);
+    assert_eq!((value("cff-version:"), value("version:")), (Some("1.2.0"), Some(version)));
+}
+
 #[test]
 fn files_and_functions_are_short() {
     let mut files = Vec::new();
