@@ -58,7 +58,8 @@ fn cargo(arguments: &[&str]) -> Command {
     command
 }
 
-fn step(title: &str, work: impl FnOnce() -> Result<()>) -> Result<()> {
+/// Does a part of something long, and tells when it begins and how long it took.
+pub(crate) fn step(title: &str, work: impl FnOnce() -> Result<()>) -> Result<()> {
     println!("== {title}");
     let start = Instant::now();
     work().with_context(|| format!("{title}: failed"))?;

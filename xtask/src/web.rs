@@ -13,7 +13,7 @@ use flate2::Compression;
 use flate2::write::GzEncoder;
 use wasm_bindgen_cli_support::Bindgen;
 
-use crate::ci::{has_library, library_advice};
+use crate::ci::{has_library, library_advice, step};
 use xtask::root;
 use xtask::shell::{self, command, exists, output};
 
@@ -53,6 +53,8 @@ impl WebTask {
 /// vectors that leave the rounding to the processor (relaxed SIMD), which are quicker.
 struct Flavor {
     folder: &'static str,
+    /// For which pages it is.
+    purpose: &'static str,
     features: &'static str,
     link_arguments: &'static [&'static str],
     /// Whether the standard library has to be built with these features, too.
@@ -63,6 +65,7 @@ struct Flavor {
 
 const SINGLE: Flavor = Flavor {
     folder: "single",
+    purpose: "for pages that may not share memory",
     features: "+simd128",
     link_arguments: &["-zstack-size=4194304"],
     builds_std: false,
@@ -82,6 +85,7 @@ const SHARED: &[&str] = &[
 
 const THREADS: Flavor = Flavor {
     folder: "threads",
+    purpose: "for pages that may",
     features: "+simd128,+atomics,+bulk-memory",
     link_arguments: SHARED,
     builds_std: true,
@@ -89,8 +93,12 @@ const THREADS: Flavor = Flavor {
 };
 
 // The tracer and its vectors alone: in letters that the toolkit draws so, shapes break (`vello_common` 0.2).
-const RELAXED: Flavor =
-    Flavor { folder: "relaxed", relaxed: &["catoptric-tracer", "fearless_simd@1"], ..THREADS };
+const RELAXED: Flavor = Flavor {
+    folder: "relaxed",
+    purpose: "the same with quicker vectors",
+    relaxed: &["catoptric-tracer", "fearless_simd@1"],
+    ..THREADS
+};
 
 const FLAVORS: [&Flavor; 3] = [&SINGLE, &THREADS, &RELAXED];
 
@@ -149,8 +157,18 @@ fn make(is_small: bool) -> Result<()> {
         ensure!(has_library, "{TARGET}: {}", library_advice(TARGET));
         println!("skipped: several threads: {reason}");
     }
-    for flavor in FLAVORS.iter().filter(|flavor| !flavor.builds_std || no_source.is_none()) {
-        build(flavor, &folder, flavor.builds_std || !has_library, is_small)?;
+    let flavors: Vec<_> =
+        FLAVORS.into_iter().filter(|flavor| !flavor.builds_std || no_source.is_none()).collect();
+    let steps = flavors.len() + 1;
+    println!(
+        "The site has {} programs and a first page. Made for the first time, it takes ten to twenty minutes on two cores; \
+         later, only what has changed.",
+        flavors.len()
+    );
+    for (index, flavor) in flavors.into_iter().enumerate() {
+        step(&format!("{} of {steps}: {}, {}", index + 1, flavor.folder, flavor.purpose), || {
+            build(flavor, &folder, flavor.builds_std || !has_library, is_small)
+        })?;
     }
     let told = FLAVORS.map(|flavor| {
         let bytes = fs::metadata(program(flavor, &folder)).map(|found| found.len());
@@ -158,9 +176,9 @@ fn make(is_small: bool) -> Result<()> {
         format!("{}: {value}", flavor.folder)
     });
     fs::write(folder.join("build.js"), format!("export const programs = {{ {} }};\n", told.join(", ")))?;
-    shell::run(
-        command("cargo", &["run", "--quiet", "--package", "workbench", "--", "front-page"]).arg(&folder),
-    )?;
+    step(&format!("{steps} of {steps}: the first page, with pictures by the native program"), || {
+        shell::run(command("cargo", &["run", "--package", "workbench", "--", "front-page"]).arg(&folder))
+    })?;
     write_manual(&folder)?;
     write_service_worker(&folder)?;
     compress(&folder)?;
@@ -177,10 +195,8 @@ fn why_no_source() -> Result<Option<String>> {
 }
 
 fn build(flavor: &Flavor, folder: &Path, builds_std: bool, is_small: bool) -> Result<()> {
-    println!("== {}", flavor.folder);
-    // Two folders: cargo would build everything anew when the flags change. What a profile says of single crates it keeps apart.
-    let target =
-        target_folder()?.join("web-build").join(if flavor.builds_std { "threads" } else { "single" });
+    // One folder: cargo keeps apart what has other flags, and builds once what runs here, macros and build scripts.
+    let target = target_folder()?.join("web-build");
     let mut cargo =
         command("cargo", &["build", "--package", "catoptric-web", "--locked", "--profile", "web"]);
     cargo.args(["--target", TARGET, "--target-dir"]).arg(&target);

@@ -205,6 +205,25 @@ const CHECKS = {
     }
   },
 
+  async "a command that is not there is refused in words"(browser) {
+    const laboratory = await Laboratory.open(browser);
+    const said = await laboratory.page.evaluate(() => self.catoptric.run("no.such.command").catch(String));
+    assert(said.includes('there is no command "no.such.command"'), said);
+    await laboratory.run("view.grid");
+  },
+
+  async "an example by its address is traced, whatever was drawn last"(browser) {
+    const laboratory = await Laboratory.open(browser);
+    await laboratory.run("view.method.ssr");
+    // The settings are kept a moment later.
+    await laboratory.page.waitForTimeout(2000);
+    const loaded = laboratory.page.waitForEvent("load");
+    await laboratory.page.evaluate(() => (location.hash = "example=whitted"));
+    await loaded;
+    await laboratory.shown();
+    await laboratory.until("the traced example", (state) => state.method === "whitted");
+  },
+
   async "a body is dragged, and that is undone"(browser) {
     const laboratory = await Laboratory.open(browser);
     const before = (await laboratory.state()).scene;

@@ -346,7 +346,7 @@ function answer({ number, value, error }) {
 // pictures.
 self.catoptric = {
   run(command) {
-    current?.worker.postMessage({ type: "event", event: { type: "run", command } });
+    return ask({ type: "run", command: String(command) });
   },
   async state() {
     return JSON.parse(await ask({ type: "ask" }));

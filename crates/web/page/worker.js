@@ -11,6 +11,8 @@ let isHidden = false;
 let frameAt = Infinity;
 // Questions of scripts that wait for a frame: what is answered is how the studio stands after all that has happened.
 const questions = [];
+// Commands of scripts that wait for the studio.
+const orders = [];
 let timer = 0;
 
 self.onmessage = ({ data }) => {
@@ -22,6 +24,10 @@ self.onmessage = ({ data }) => {
       case "event":
         studio?.tell(JSON.stringify(data.event));
         drawIn(0);
+        break;
+      case "run":
+        orders.push(data);
+        runOrders();
         break;
       case "file":
         glue?.putFile(data.path, data.bytes);
@@ -67,12 +73,30 @@ async function drawPicture({ number, order }) {
     }
     self.postMessage({ type: "answer", number, value: { bytes, milliseconds: picture.milliseconds() } });
   } catch (error) {
-    self.postMessage({ type: "answer", number, error: String(error?.message ?? error) });
-    attempt(() => {
-      throw error;
-    });
+    refuse(number, error);
   } finally {
     picture?.free();
+  }
+}
+
+// Does the commands of scripts, once there is a studio.
+function runOrders() {
+  for (const { number, command } of studio ? orders.splice(0) : []) {
+    try {
+      studio.tell(JSON.stringify({ type: "run", command }));
+      self.postMessage({ type: "answer", number });
+    } catch (error) {
+      refuse(number, error);
+    }
+  }
+  drawIn(0);
+}
+
+// Tells a script why something cannot be done.
+function refuse(number, error) {
+  self.postMessage({ type: "answer", number, error: String(error?.message ?? error) });
+  if (isFatal(error)) {
+    fail(error);
   }
 }
 
@@ -97,7 +121,7 @@ async function start({ canvas, files, options, size, processors, folder, bytes }
   for (const event of size) {
     studio.tell(JSON.stringify(event));
   }
-  drawIn(0);
+  runOrders();
   setTimeout(loadManual, MANUAL_AFTER, ["en", "ru"]);
   await useCard(hasThreads);
 }
@@ -219,9 +243,13 @@ function attempt(work) {
   }
 }
 
+function isFatal(error) {
+  return error instanceof WebAssembly.RuntimeError || error instanceof RangeError;
+}
+
 // A studio that has failed once is not asked again. One that refuses goes on.
 function fail(error) {
-  if (studio && !(error instanceof WebAssembly.RuntimeError) && !(error instanceof RangeError)) {
+  if (studio && !isFatal(error)) {
     console.error(error);
     return;
   }

@@ -82,6 +82,8 @@ struct StudioState<'a> {
     rays: Option<usize>,
     /// The position and the target of the camera that the picture is seen through.
     view: [[f64; 3]; 2],
+    /// The method that draws, as commands call it.
+    method: &'static str,
     /// How many pictures there have been.
     pictures: Option<u64>,
     /// Of the picture shown, per pixel.
@@ -273,6 +275,7 @@ impl WebStudio {
             pixel: studio.audited_pixel(),
             rays: studio.audit_rays(),
             view: [camera.position, camera.target].map(Into::into),
+            method: studio.settings().methods.kind().name(),
             pictures: frame.as_ref().map(|frame| frame.picture_serial),
             samples: frame.as_ref().map(|frame| frame.samples),
             is_idle: status.is_idle,

@@ -7,7 +7,7 @@ use egui_tiles::{Container, Linear, LinearDir, Tabs, Tile, TileId, Tiles, Tree};
 use serde::{Deserialize, Serialize};
 
 pub(crate) use columns::{LEAST_PANEL, fit, take_over};
-pub(crate) use narrow::SpareLayouts;
+pub(crate) use narrow::{SpareLayouts, is_narrow};
 
 /// The widths of the panels beside the picture at first, points.
 const OUTLINER: f32 = 220.0;

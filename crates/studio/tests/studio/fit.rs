@@ -8,7 +8,7 @@ use catoptric_scene::{
     Pattern, Phong, ScenePart, Shape, Sky, SolidTexture, Surroundings,
 };
 use catoptric_studio::host::Host as _;
-use catoptric_studio::{Command, Pane, StartDocument, Studio, WindowCommand};
+use catoptric_studio::{CameraCommand, Command, Pane, StartDocument, Studio, WindowCommand};
 use egui::epaint::ClippedShape;
 use egui::{Rect, Role, vec2};
 use egui_kittest::Harness;
@@ -356,4 +356,32 @@ fn what_opens_over_a_small_window_fits() {
         }
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+/// On a telephone the bar over the picture is one row, whose end is reached by scrolling and by Tab.
+#[test]
+fn the_bar_over_the_picture_of_a_telephone_is_one_row() {
+    for language in ["english", "russian"] {
+        let mut window = open(language);
+        window.state_mut().run(CameraCommand::ToggleFreeView);
+        show(&mut window, [390.0, 844.0], 1.0, &[]);
+        let texts = window.state().texts();
+        let [first, last] = ["command-tool-move", "command-toggle-fly"].map(|key| texts.get(key).to_owned());
+        let button = |window: &Window, name: &str| {
+            window.get_all_by_role_and_label(Role::Button, name).next().unwrap().rect()
+        };
+        let picture = window.state().pane_rect(Pane::Viewport).unwrap();
+        let (begin, end) = (button(&window, &first), button(&window, &last));
+        assert_eq!(begin.y_range(), end.y_range(), "{language}");
+        // With the badge of the free view below.
+        assert!(begin.bottom() < picture.top() + 50.0, "{language}: {begin} in {picture}");
+        assert!(
+            begin.left() >= picture.left() && end.right() > picture.right(),
+            "{language}: {end} in {picture}"
+        );
+        window.get_all_by_role_and_label(Role::Button, &last).next().unwrap().focus();
+        window.run_steps(8);
+        let end = button(&window, &last);
+        assert!(picture.contains_rect(end), "{language}: {end} in {picture}");
+    }
 }

@@ -2,9 +2,10 @@
 
 use catoptric_picture::ToneCurve;
 use egui::accesskit::Role;
+use egui::scroll_area::ScrollBarVisibility;
 use egui::{
     Align2, Color32, CornerRadius, FontId, Frame, Layout, Margin, Popup, PopupCloseBehavior, Rect, Response,
-    Sense, Stroke, StrokeKind, Ui, UiBuilder, Vec2, WidgetInfo, vec2,
+    ScrollArea, Sense, Stroke, StrokeKind, Ui, UiBuilder, Vec2, WidgetInfo, vec2,
 };
 use egui_material_icons::MaterialIcon;
 use egui_material_icons::icons::{ICON_360, ICON_EXPOSURE};
@@ -17,6 +18,7 @@ use crate::base::{shortcut_text, theme};
 use crate::panels::method_chooser::chooser_ui;
 use crate::state::command::{AuditCommand, CameraCommand, Command, DisplayCommand, Tool, ToolCommand};
 use crate::state::context::Cx;
+use crate::state::layout::is_narrow;
 
 /// Side of a button, points.
 const BUTTON: f32 = 28.0;
@@ -31,36 +33,46 @@ pub(crate) fn toolbar_ui(ui: &mut Ui, cx: &mut Cx<'_>, rect: Rect) -> f32 {
     let builder = UiBuilder::new().max_rect(room).layout(Layout::top_down(egui::Align::Min));
     let bar = ui.scope_builder(builder, |ui| {
         ui.spacing_mut().item_spacing = vec2(2.0, 6.0);
-        panel(ui, |ui| {
-            ui.horizontal_wrapped(|ui| {
-                ui.spacing_mut().item_spacing = vec2(2.0, 2.0);
-                tools(ui, cx);
-                gap(ui);
-                shown(ui, cx);
-                gap(ui);
-                looking(ui, cx);
-                gap(ui);
-                exposure(ui, cx);
-                gap(ui);
-                chooser_ui(ui, cx, BUTTON);
-            });
+        row(ui, "tools", |ui| {
+            ui.spacing_mut().item_spacing = vec2(2.0, 2.0);
+            tools(ui, cx);
+            gap(ui);
+            shown(ui, cx);
+            gap(ui);
+            looking(ui, cx);
+            gap(ui);
+            exposure(ui, cx);
+            gap(ui);
+            chooser_ui(ui, cx, BUTTON);
         });
         if cx.view.free_camera.is_some() {
-            panel(ui, |ui| ui.horizontal_wrapped(|ui| free_view(ui, cx)));
+            row(ui, "free view", |ui| free_view(ui, cx));
         }
     });
     bar.response.rect.bottom() - rect.top()
 }
 
-/// A half-transparent plate.
-fn panel<R>(ui: &mut Ui, content: impl FnOnce(&mut Ui) -> R) {
+/// Content on a half-transparent plate, in as many rows as it needs. In narrow windows it is one row that scrolls: several
+/// would hide the picture of a telephone.
+fn row(ui: &mut Ui, name: &str, content: impl FnOnce(&mut Ui)) {
     let palette = theme::palette(ui.visuals());
     Frame::new()
         .fill(palette.panel.gamma_multiply(0.88))
         .stroke(Stroke::new(1.0, palette.line.gamma_multiply(0.8)))
         .corner_radius(CornerRadius::same(7))
         .inner_margin(Margin::same(3))
-        .show(ui, content);
+        .show(ui, |ui| {
+            if !is_narrow(ui.ctx().content_rect().size()) {
+                ui.horizontal_wrapped(content);
+                return;
+            }
+            // By the wheel of a mouse, too.
+            ui.style_mut().always_scroll_the_only_direction = true;
+            ScrollArea::horizontal()
+                .id_salt(name)
+                .scroll_bar_visibility(ScrollBarVisibility::AlwaysHidden)
+                .show(ui, |ui| ui.horizontal(content));
+        });
 }
 
 fn gap(ui: &mut Ui) {
@@ -209,6 +221,10 @@ fn icon_button(ui: &mut Ui, icon: MaterialIcon, name: &str, is_on: Option<bool>)
     };
     let painter = ui.painter();
     painter.rect_filled(rect, 5.0, fill);
+    if response.gained_focus() {
+        // The row may have it beyond its end.
+        response.scroll_to_me(None);
+    }
     if response.has_focus() {
         painter.rect_stroke(rect, 5.0, Stroke::new(1.5, palette.accent), StrokeKind::Inside);
     }

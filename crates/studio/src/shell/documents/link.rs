@@ -4,6 +4,7 @@ use std::sync::Arc;
 use std::sync::mpsc::TryRecvError;
 
 use catoptric_editor::Editor;
+use catoptric_picture::Development;
 use catoptric_scene::{Camera, Scene, ScenePart, read, write};
 use egui::Context;
 use glam::UVec2;
@@ -25,6 +26,8 @@ struct LinkedView {
     method: MethodSettings,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     free_camera: Option<LinkedCamera>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    development: Option<LinkedDevelopment>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     selected: Vec<LinkedPart>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -34,6 +37,13 @@ struct LinkedView {
 /// A camera, as the text of a scene that has nothing else.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 struct LinkedCamera(String);
+
+/// Exposure and tone curve.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+struct LinkedDevelopment {
+    stops: f64,
+    tone_curve: String,
+}
 
 /// A part of the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -64,6 +74,20 @@ impl LinkedCamera {
     fn camera(&self) -> Option<Camera> {
         let reading = read(&self.0);
         (!reading.diagnostics.has_errors()).then_some(reading.scene.camera)
+    }
+}
+
+impl LinkedDevelopment {
+    /// `None` for what every studio begins with.
+    fn of(development: &Development) -> Option<Self> {
+        let Development { exposure_stops: stops, tone_curve } = *development;
+        let own = Self { stops, tone_curve: tone_curve.name().to_owned() };
+        (*development != Development::default()).then_some(own)
+    }
+
+    fn development(&self) -> Option<Development> {
+        let tone_curve = self.tone_curve.parse().ok()?;
+        self.stops.is_finite().then_some(Development { exposure_stops: self.stops, tone_curve })
     }
 }
 
@@ -115,6 +139,7 @@ pub(super) fn copy(studio: &mut Studio) {
         scene: studio.editor.writing().text(),
         method: studio.settings.methods.clone(),
         free_camera: studio.view.free_camera.as_ref().map(LinkedCamera::of),
+        development: LinkedDevelopment::of(&studio.view.development),
         selected: studio.editor.selected_parts().map(LinkedPart::from).collect(),
         pixel: studio.audit.pin().map(LinkedPixel::of),
     };
@@ -157,6 +182,8 @@ pub(super) fn open(studio: &mut Studio, text: &str) -> bool {
     studio.settings.last = None;
     banner::show_findings(studio, text, reading.diagnostics);
     studio.settings.methods = view.method;
+    let development = view.development.and_then(|development| development.development());
+    studio.view.development = development.unwrap_or_default();
     studio.view.free_camera = view.free_camera.and_then(|camera| camera.camera());
     studio.editor.select_parts(view.selected.into_iter().map(ScenePart::from));
     if let Some(pin) = view.pixel.and_then(|pixel| pixel.pin()) {

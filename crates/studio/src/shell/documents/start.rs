@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use catoptric_platform::files;
 use catoptric_scene::Example;
+use catoptric_tracer::raster::MethodKind;
 use egui::Context;
 
 use super::{link, open, show_example, show_fresh, show_opened};
@@ -33,7 +34,11 @@ pub(crate) fn start(
         studio.documents.autosave = Autosave::start(context, folder);
     }
     match start {
-        StartDocument::Example(name) => show_named(studio, name),
+        StartDocument::Example(name) => {
+            // Its author meant it traced.
+            studio.settings.methods.choose(MethodKind::Whitted);
+            show_named(studio, name);
+        }
         StartDocument::Link(view) => {
             if !link::open(studio, view) {
                 show_named(studio, FIRST);

@@ -21,6 +21,11 @@ const DRAWER: [Pane; 8] = [
     Pane::Materials,
 ];
 
+/// Whether a window of this size, points, has no room beside the picture.
+pub(crate) fn is_narrow(size: Vec2) -> bool {
+    size.x < NARROW && size.y > size.x
+}
+
 /// The layouts that wait while the window has another shape.
 #[derive(Debug, Default)]
 pub(crate) struct SpareLayouts {
@@ -33,7 +38,7 @@ pub(crate) struct SpareLayouts {
 impl SpareLayouts {
     /// Exchanges the layouts when a window of this size has another shape than before. The same panels stay visible.
     pub(crate) fn keep_up(&mut self, shown: &mut Tree<Pane>, size: Vec2) {
-        let is_narrow = size.x < NARROW && size.y > size.x;
+        let is_narrow = is_narrow(size);
         match self.wide.take() {
             None if is_narrow => {
                 let narrow = self.narrow.take().unwrap_or_else(narrow_layout);

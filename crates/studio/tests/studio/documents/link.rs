@@ -80,3 +80,41 @@ fn where_there_are_no_links_none_are_offered() {
     assert!(harness.query_by_label_contains("Copy link").is_none());
     harness.get_by_label_contains("Save as");
 }
+
+#[test]
+fn an_example_by_its_name_is_traced_whatever_was_drawn_last() {
+    let start = |document| {
+        let host = TestHost::new();
+        let settings = r#"{"language": "english", "is_hint_dismissed": true, "viewport_samples": 1,
+            "methods": {"chosen": "ssr"}, "last": {"example": "whitted"}}"#;
+        std::fs::write(host.settings_path().unwrap(), settings).unwrap();
+        studio_with(host, document).state().settings().methods.kind()
+    };
+    assert_eq!(start(StartDocument::Example("whitted".to_owned())), MethodKind::Whitted);
+    assert_eq!(start(StartDocument::Last), MethodKind::Ssr);
+}
+
+#[test]
+fn a_link_brings_exposure_and_tone_curve() {
+    let copied = |view: String| {
+        let (host, links) = host_with_links();
+        let mut harness = studio_with(host, StartDocument::Link(view));
+        harness.run_steps(3);
+        harness.state_mut().run(FileCommand::CopyLink);
+        harness.run_steps(3);
+        let text = links.lock().unwrap().pop().unwrap();
+        serde_json::from_str::<serde_json::Value>(&text).unwrap()
+    };
+    let method = serde_json::to_value(catoptric_studio::Settings::default().methods).unwrap();
+    let scene = "format = 'catoptric/1'\n";
+    let plain = serde_json::json!({ "title": "a", "scene": scene, "method": method });
+    assert_eq!(copied(plain.to_string()).get("development"), None);
+    for (stops, tone_curve, is_known) in
+        [(1.5, "filmic", true), (0.0, "linear-codes", true), (1.0, "none such", false)]
+    {
+        let mut view = plain.clone();
+        view["development"] = serde_json::json!({ "stops": stops, "tone_curve": tone_curve });
+        let found = copied(view.to_string());
+        assert_eq!(found.get("development"), view.get("development").filter(|_| is_known), "{tone_curve}");
+    }
+}
