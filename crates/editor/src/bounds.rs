@@ -1,9 +1,7 @@
 //! Bounding boxes and spheres of bodies and their parts.
 
 use catoptric_scene::bounds::around;
-pub use catoptric_scene::bounds::{
-    BoundingSphere, Bounds, are_apart, ball_around, ball_of_body, of_body,
-};
+pub use catoptric_scene::bounds::{BoundingSphere, Bounds, are_apart, ball_around, ball_of_body, of_body};
 use catoptric_scene::{Body, Scene, ScenePart};
 
 use crate::part_path::PartPath;

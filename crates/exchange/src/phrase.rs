@@ -117,13 +117,15 @@ impl Phrase for ConeNumbers {
     fn phrase(&self, language: Language) -> Cow<'_, str> {
         let (english, russian) = match (self.has_angle, self.is_height_first) {
             (false, false) => ("diameter and height", "диаметр и высота"),
-            (true, false) => {
-                ("half the angle at the apex in degrees, and height", "половина угла при вершине в градусах и высота")
-            }
+            (true, false) => (
+                "half the angle at the apex in degrees, and height",
+                "половина угла при вершине в градусах и высота",
+            ),
             (false, true) => ("height and diameter", "высота и диаметр"),
-            (true, true) => {
-                ("height, and half the angle at the apex in degrees", "высота и половина угла при вершине в градусах")
-            }
+            (true, true) => (
+                "height, and half the angle at the apex in degrees",
+                "высота и половина угла при вершине в градусах",
+            ),
         };
         language.pick(english, russian).into()
     }

@@ -104,7 +104,8 @@ impl ChallengeReader {
             self.draft.unsupported(span, Message::OpenEnds { name: name.clone() }, Message::IsClosed);
         }
         let radius = |y: f64| if name == "cylinder" { 1.0 } else { y.abs() };
-        let between = |ends: [f64; 2]| Solid { is_open, is_endless, ..Solid::around_axis(ends, ends.map(radius)) };
+        let between =
+            |ends: [f64; 2]| Solid { is_open, is_endless, ..Solid::around_axis(ends, ends.map(radius)) };
         if name == "cone" && min < 0.0 && max > 0.0 {
             vec![between([min, 0.0]), between([0.0, max])]
         } else {

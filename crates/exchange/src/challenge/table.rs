@@ -118,7 +118,11 @@ pub(super) fn color(node: &Node, key: &str, draft: &mut Draft) -> Option<Color> 
     for component in value.to_array() {
         if !(0.0..=1e6).contains(&component) {
             let [found, low, high] = [component, 0.0, 1e6].map(Into::into);
-            draft.refuse(&node.span, Message::KeyOutOfRange { key: key.to_owned(), value: found, low, high }, None);
+            draft.refuse(
+                &node.span,
+                Message::KeyOutOfRange { key: key.to_owned(), value: found, low, high },
+                None,
+            );
             return None;
         }
     }

@@ -68,7 +68,8 @@ impl<'t> Arguments<'t> {
             }
         }
         let (point_count, number_count) = counts(element.text);
-        let (points, numbers) = (without_options(points, point_count), without_options(numbers, number_count));
+        let (points, numbers) =
+            (without_options(points, point_count), without_options(numbers, number_count));
         Some(Self { element, points, numbers, properties, span, has_faults, has_gaps: false })
     }
 

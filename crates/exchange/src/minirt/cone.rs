@@ -126,7 +126,9 @@ mod tests {
         let has_angle = |text: &str, dialect: &str| numbers_of(text, dialect.parse().unwrap()).has_angle;
         let cone = |numbers: &str| format!("co 0,0,0 0,1,0 {numbers} 9,9,9\n");
         assert!(has_angle(&cone("30 4"), "") && has_angle(&cone("45.5 10"), ""));
-        assert!(!has_angle(&cone("2 3"), "") && !has_angle(&cone("8 2"), "") && !has_angle(&cone("95 2"), ""));
+        assert!(
+            !has_angle(&cone("2 3"), "") && !has_angle(&cone("8 2"), "") && !has_angle(&cone("95 2"), "")
+        );
         assert!(!has_angle(&(cone("30 4") + &cone("2 3")), "") && !has_angle("", ""));
         assert!(!has_angle(&cone("30 4"), "cone-diameter") && has_angle(&cone("2 3"), "cone-angle"));
         assert!(!has_angle(&cone("30 4"), "cone-height-first"));

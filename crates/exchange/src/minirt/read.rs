@@ -254,13 +254,15 @@ impl MiniRtReader {
         let height = arguments.size(Argument::Height, draft);
         let color = arguments.color(draft);
         let dialect = draft.options.dialect;
-        let geometry = position.zip(axis).zip(diameter.zip(height)).map(|((position, axis), (diameter, height))| {
-            let (position, axis, height) = (position.value, axis.value, height.value);
-            let base = if dialect.is_cylinder_at_base { position } else { position - 0.5 * height * axis };
-            let anchor = Anchor::Axis { base, top: base + height * axis };
-            let shape = Shape::Cylinder { radius: dialect.radius(diameter.value), height };
-            (plain(shape), Placement { anchor, scale: DVec3::ONE })
-        });
+        let geometry =
+            position.zip(axis).zip(diameter.zip(height)).map(|((position, axis), (diameter, height))| {
+                let (position, axis, height) = (position.value, axis.value, height.value);
+                let base =
+                    if dialect.is_cylinder_at_base { position } else { position - 0.5 * height * axis };
+                let anchor = Anchor::Axis { base, top: base + height * axis };
+                let shape = Shape::Cylinder { radius: dialect.radius(diameter.value), height };
+                (plain(shape), Placement { anchor, scale: DVec3::ONE })
+            });
         if geometry.is_some() {
             self.places.cylinder.get_or_insert(arguments.span.clone());
         }

@@ -381,7 +381,12 @@ fn without_a_camera_all_bodies_are_in_view() {
     let found = approximately(text);
     // Neither what has no end nor what is left out counts.
     let camera = found.scene.camera;
-    assert_eq!((camera.target, found.scene.bodies.len()), (DVec3::new(0.0, 0.0, -3.0), 3), "{}", found.report);
+    assert_eq!(
+        (camera.target, found.scene.bodies.len()),
+        (DVec3::new(0.0, 0.0, -3.0), 3),
+        "{}",
+        found.report
+    );
     let distance = camera.position.distance(camera.target);
     assert!((distance - 1.1 / 13.5_f64.to_radians().sin()).abs() < 1e-9, "{distance}");
     assert!(pixel(&found, [9, 9], [4, 4]).iter().sum::<f32>() > 0.0);

@@ -112,7 +112,8 @@ fn bonus_numbers_and_lines_of_properties_are_read() {
 /// Commas may have spaces around them, and `//` begins a comment.
 #[test]
 fn other_ways_to_write_are_read() {
-    let text = "A 1 0, 0,\t255 // dim\n// C\nC 0, 1, 5  0 ,0, -1 60\nsp 0 , -.5 ,2 1 9,9 ,9 reflection= 0.5\n";
+    let text =
+        "A 1 0, 0,\t255 // dim\n// C\nC 0, 1, 5  0 ,0, -1 60\nsp 0 , -.5 ,2 1 9,9 ,9 reflection= 0.5\n";
     let scene = good(FORMAT, text, &ImportOptions::default()).scene;
     assert_eq!(scene.camera.position, DVec3::new(0.0, 1.0, 5.0));
     assert_eq!(scene.bodies[0].placement.origin(), DVec3::new(0.0, -0.5, 2.0));
@@ -220,7 +221,8 @@ fn options_of_a_program_are_left_out_wherever_they_stand() {
     let phong = found.scene.material(&sphere.material).unwrap().as_phong().unwrap();
     assert_eq!((phong.reflection(), phong.specular, found.size), (0.0, 0.0, None));
     let said = found.report.to_string();
-    for line in ["1:1: warning: `R` lacks", "2:1: warning", "5:19: warning", "6:4: warning", "7:28: warning"] {
+    for line in ["1:1: warning: `R` lacks", "2:1: warning", "5:19: warning", "6:4: warning", "7:28: warning"]
+    {
         assert!(said.contains(line), "{line}\n{said}");
     }
     assert_eq!(bad(FORMAT, text).lines().count(), count(&found.report, Severity::Warning));
