@@ -216,7 +216,7 @@ fn wrong_arguments_are_refused_before_anything_is_written() {
         ("render whitted", "--output <FILE>"),
         (
             "render whitted -o a.gif",
-            "a name that ends in .png, .exr, .jpg, .jpeg, .hdr, .webp, .tif, .tiff, .ppm or .pnm",
+            "a name that ends in .png, .exr, .jpg, .jpeg, .hdr, .webp, .tif, .tiff, .ppm, .pnm or .pfm",
         ),
         ("render whitted -o a.bmp", "BMP pictures are read, but not written"),
         ("render whitted -o a.jpg --bits 16", "JPEG files are not written with 16 bits"),
