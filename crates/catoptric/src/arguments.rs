@@ -83,7 +83,7 @@ pub(crate) struct SetArguments {
 #[derive(Clone, Copy, Debug, Args)]
 pub(crate) struct ImportArguments {
     /// What a miniRT program does otherwise than most, words separated by commas: radius, base, cone-base, cone-angle,
-    /// cone-diameter, cone-height-first, vertical-fov, left-handed, added-reflection
+    /// cone-height-first, vertical-fov, left-handed, added-reflection
     #[arg(long, value_name = "WORDS", default_value_t, hide_default_value = true)]
     pub dialect: Dialect,
     /// Of a scene of another ray tracer, replace what cannot be taken over by what comes nearest, or leave it out

@@ -3,6 +3,8 @@
 use std::fmt;
 use std::str::FromStr;
 
+use crate::phrase::ConeNumbers;
+
 /// What a miniRT program does otherwise than the school's subject says, or where that is silent, than most programs
 /// do. Default nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -15,8 +17,6 @@ pub struct Dialect {
     pub is_cone_at_base: bool,
     /// `cone-angle`: half the angle at the apex stands in the place of a cone's diameter, degrees.
     pub has_angle_of_cone: bool,
-    /// `cone-diameter`: a cone has its diameter, whatever its numbers look like.
-    pub has_diameter_of_cone: bool,
     /// `cone-height-first`: the height of a cone stands before its diameter or angle.
     pub has_height_of_cone_first: bool,
     /// `vertical-fov`: the angle of view is the vertical one.
@@ -37,12 +37,11 @@ pub struct UnknownDialect {
 
 impl Dialect {
     /// The words, in the order of the fields.
-    pub const WORDS: [&'static str; 9] = [
+    pub const WORDS: [&'static str; 8] = [
         "radius",
         "base",
         "cone-base",
         "cone-angle",
-        "cone-diameter",
         "cone-height-first",
         "vertical-fov",
         "left-handed",
@@ -54,13 +53,17 @@ impl Dialect {
         if self.has_radius { number } else { 0.5 * number }
     }
 
-    fn flags(&mut self) -> [&mut bool; 9] {
+    /// What the two numbers of a cone are.
+    pub(crate) fn cone_numbers(self) -> ConeNumbers {
+        ConeNumbers { has_angle: self.has_angle_of_cone, is_height_first: self.has_height_of_cone_first }
+    }
+
+    fn flags(&mut self) -> [&mut bool; 8] {
         [
             &mut self.has_radius,
             &mut self.is_cylinder_at_base,
             &mut self.is_cone_at_base,
             &mut self.has_angle_of_cone,
-            &mut self.has_diameter_of_cone,
             &mut self.has_height_of_cone_first,
             &mut self.has_vertical_fov,
             &mut self.is_left_handed,

@@ -144,8 +144,8 @@ catoptric_scene::messages! {
         "the numbers of a cone are taken as {numbers}",
         "числа у конуса взяты так: {numbers}";
     ConeDialects:
-        "`--dialect` with `cone-diameter`, `cone-angle` or `cone-height-first` says what they are",
-        "что это за числа, говорит `--dialect` со словом `cone-diameter`, `cone-angle` или `cone-height-first`";
+        "`--dialect cone-angle`, `cone-height-first` or both say otherwise",
+        "иное говорит `--dialect cone-angle`, `cone-height-first` или оба слова";
     ConeOfAngle { far: Number }:
         "a cone with one number is endless on both sides of its apex, and drawn as far as {far}; the number is taken as half the angle there, in degrees",
         "конус с одним числом бесконечен по обе стороны от вершины и рисуется до расстояния {far}; число взято как половина угла при вершине в градусах";

@@ -104,7 +104,7 @@ impl Phrase for Title {
     }
 }
 
-/// What the numbers of the cones of a file are.
+/// What two numbers of a cone are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct ConeNumbers {
     /// Whether one of them is half the angle at the apex in degrees, not the diameter of the base.

@@ -53,13 +53,15 @@ impl<'t> Arguments<'t> {
             let begins = |letters: fn(char) -> bool| word.text.trim_start_matches('-').starts_with(letters);
             let looks_like_number = begins(|letter| letter.is_ascii_digit() || "+-.,".contains(letter));
             if !looks_like_number {
-                follows_option = !is_property(word.text);
+                // Its values may follow: `glossy 7 8`.
+                follows_option = !is_property(word.text) && !word.text.contains(['=', ':']);
                 properties.push(word);
             } else if word.text.contains(',') {
                 match point(&word, draft) {
                     Some(value) => points.push((Spanned { value, span: word.span }, follows_option)),
                     None => has_faults = true,
                 }
+                follows_option = false;
             } else {
                 match scalar(&word, draft) {
                     Some(value) => numbers.push((Spanned { value, span: word.span }, follows_option)),

@@ -1,39 +1,18 @@
-//! Cones: which numbers a file gives of them, and their reading.
+//! Cones, of which programs give different numbers.
 
 use catoptric_scene::{Anchor, BodyShape, Placement, Shape};
 use glam::DVec3;
 
-use crate::dialect::Dialect;
 use crate::draft::{Draft, FAR};
-use crate::lines::{lines, number};
 use crate::minirt::arguments::Arguments;
 use crate::minirt::read::MiniRtReader;
-use crate::phrase::{Argument, ConeNumbers};
+use crate::phrase::Argument;
 
 /// What other programs call `co`.
 pub(super) const CONES: [&str; 4] = ["co", "cn", "con", "cone"];
 
 /// The degrees that half the angle at an apex may have.
 const HALF_ANGLE: [f64; 2] = [0.001, 89.999];
-
-/// What the numbers of all cones of a text are, by its dialect, or else as it fits them.
-///
-/// Most programs have the diameter and the height, and cones that are about as high as wide. Some have half the angle at the
-/// apex for the diameter: numbers of ten and more degrees. Where all cones of a file would be over three times as wide as
-/// high, these are angles.
-pub(super) fn numbers_of(text: &str, dialect: Dialect) -> ConeNumbers {
-    let is_angle =
-        |[first, second]: [f64; 2]| (10.0..90.0).contains(&first) && second > 0.0 && first > 3.0 * second;
-    let is_height_first = dialect.has_height_of_cone_first;
-    let is_told = dialect.has_angle_of_cone || dialect.has_diameter_of_cone || is_height_first;
-    let has_angle = if is_told {
-        dialect.has_angle_of_cone
-    } else {
-        let mut pairs = pairs(text).peekable();
-        pairs.peek().is_some() && pairs.all(is_angle)
-    };
-    ConeNumbers { has_angle, is_height_first }
-}
 
 /// The size of a cone, meters.
 struct ConeSize {
@@ -44,7 +23,8 @@ struct ConeSize {
 
 impl ConeSize {
     /// Reads the numbers of a cone; one alone is half the angle at the apex of a cone without end.
-    fn read(numbers: ConeNumbers, arguments: &mut Arguments<'_>, draft: &mut Draft) -> Option<Self> {
+    fn read(arguments: &mut Arguments<'_>, draft: &mut Draft) -> Option<Self> {
+        let numbers = draft.options.dialect.cone_numbers();
         let half_angle = |arguments: &mut Arguments<'_>, draft: &mut Draft| {
             Some(arguments.number(Argument::HalfAngle, HALF_ANGLE, draft)?.value.to_radians())
         };
@@ -75,7 +55,7 @@ impl MiniRtReader {
         let draft = &mut self.draft;
         let position = arguments.point(Argument::Position, draft);
         let axis = arguments.direction(Argument::Axis, draft);
-        let size = ConeSize::read(self.cones, arguments, draft);
+        let size = ConeSize::read(arguments, draft);
         let is_endless = size.as_ref().is_some_and(|size| size.is_endless);
         let color = arguments.color(draft);
         let is_at_base = draft.options.dialect.is_cone_at_base && !is_endless;
@@ -104,33 +84,5 @@ fn opposite(placement: &Placement) -> Placement {
     match placement.anchor {
         Anchor::Axis { base, top } => about(2.0 * top - base, top),
         Anchor::Frame { .. } => *placement,
-    }
-}
-
-/// The first two numbers of each cone that has two.
-fn pairs(text: &str) -> impl Iterator<Item = [f64; 2]> {
-    lines(text).filter(|words| words.first().is_some_and(|word| CONES.contains(&word.text))).filter_map(
-        |words| {
-            let mut numbers = words.iter().skip(1).filter_map(|word| number(word.text));
-            Some([numbers.next()?, numbers.next()?])
-        },
-    )
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_are_angles_where_all_cones_would_be_flat() {
-        let has_angle = |text: &str, dialect: &str| numbers_of(text, dialect.parse().unwrap()).has_angle;
-        let cone = |numbers: &str| format!("co 0,0,0 0,1,0 {numbers} 9,9,9\n");
-        assert!(has_angle(&cone("30 4"), "") && has_angle(&cone("45.5 10"), ""));
-        assert!(
-            !has_angle(&cone("2 3"), "") && !has_angle(&cone("8 2"), "") && !has_angle(&cone("95 2"), "")
-        );
-        assert!(!has_angle(&(cone("30 4") + &cone("2 3")), "") && !has_angle("", ""));
-        assert!(!has_angle(&cone("30 4"), "cone-diameter") && has_angle(&cone("2 3"), "cone-angle"));
-        assert!(!has_angle(&cone("30 4"), "cone-height-first"));
     }
 }

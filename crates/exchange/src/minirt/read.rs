@@ -13,10 +13,10 @@ use crate::draft::{Draft, FAR};
 use crate::lines::{Word, lines};
 use crate::message::Message;
 use crate::minirt::arguments::{Arguments, Spanned, out_of_range};
-use crate::minirt::cone::{CONES, numbers_of};
+use crate::minirt::cone::CONES;
 use crate::minirt::property::Finish;
 use crate::options::{DEFAULT_SIZE, ImportOptions, ImportedScene};
-use crate::phrase::{Argument, ConeNumbers};
+use crate::phrase::Argument;
 use crate::triangle::triangle_at;
 
 /// The elements in the order of the subject.
@@ -32,7 +32,6 @@ pub(crate) fn read(text: &str, options: &ImportOptions) -> Result<ImportedScene,
         ambient: None,
         camera: None,
         resolution: None,
-        cones: numbers_of(text, options.dialect),
         places: NotePlaces::default(),
     };
     for mut words in lines(text) {
@@ -102,7 +101,6 @@ pub(super) struct MiniRtReader {
     /// Where the first camera stands, and what it is if it could be read.
     camera: Option<(Range<usize>, Option<View>)>,
     resolution: Option<(Range<usize>, Option<[u32; 2]>)>,
-    pub(super) cones: ConeNumbers,
     pub(super) places: NotePlaces,
 }
 
@@ -388,7 +386,7 @@ impl MiniRtReader {
         }
         for (span, is_endless) in [(&places.cone, false), (&places.endless_cone, true)] {
             if let Some(span) = span {
-                let numbers = self.cones;
+                let numbers = dialect.cone_numbers();
                 let message = if is_endless {
                     Message::ConeOfAngle { far: FAR.into() }
                 } else {

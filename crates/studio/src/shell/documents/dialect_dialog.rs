@@ -21,13 +21,12 @@ impl DialectDialog {
         Self { dialect: studio.settings.dialect() }
     }
 
-    fn rows(&mut self) -> [(&mut bool, &'static str); 9] {
+    fn rows(&mut self) -> [(&mut bool, &'static str); 8] {
         let Dialect {
             has_radius,
             is_cylinder_at_base,
             is_cone_at_base,
             has_angle_of_cone,
-            has_diameter_of_cone,
             has_height_of_cone_first,
             has_vertical_fov,
             is_left_handed,
@@ -38,7 +37,6 @@ impl DialectDialog {
             (is_cylinder_at_base, "dialect-base"),
             (is_cone_at_base, "dialect-cone-base"),
             (has_angle_of_cone, "dialect-cone-angle"),
-            (has_diameter_of_cone, "dialect-cone-diameter"),
             (has_height_of_cone_first, "dialect-cone-height-first"),
             (has_vertical_fov, "dialect-vertical-fov"),
             (is_left_handed, "dialect-left-handed"),
