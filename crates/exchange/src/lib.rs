@@ -27,7 +27,7 @@ pub use scene_text::{ExportError, ExportOptions, ExportedScene};
 /// Reads a scene from the text of a file.
 ///
 /// # Errors
-/// All errors of the text, with their places.
+/// All errors of the text, with their places; also approximately, where no body would be left.
 pub fn read(
     format: ForeignFormat,
     text: &str,
@@ -36,6 +36,18 @@ pub fn read(
     if text.len() > LONGEST_FILE {
         return Err(draft::too_long());
     }
+    let found = read_as(format, text, options)?;
+    if options.is_approximate && found.scene.bodies.is_empty() {
+        read_as(format, text, &ImportOptions { is_approximate: false, ..*options })?;
+    }
+    Ok(found)
+}
+
+fn read_as(
+    format: ForeignFormat,
+    text: &str,
+    options: &ImportOptions,
+) -> Result<ImportedScene, Diagnostics> {
     match format {
         ForeignFormat::MiniRt => minirt::read(text, options),
         ForeignFormat::Challenge => challenge::read(text, options),

@@ -1,6 +1,6 @@
 //! miniRT: known answers, dialects, the school's errors.
 
-use catoptric_exchange::{ForeignFormat, ImportOptions};
+use catoptric_exchange::{ForeignFormat, ImportOptions, read};
 use catoptric_scene::{Anchor, Color, Projection, Severity, Shape, ShapeKind};
 use glam::DVec3;
 
@@ -242,6 +242,10 @@ fn one_element_does_not_stop_a_scene() {
     assert_eq!(found.scene.environment.ambient, Color::new(1.0, 0.0, 0.0));
     assert_eq!(found.scene.camera.target, DVec3::new(0.0, 0.0, 4.0));
     assert!(found.report.to_string().contains("5:1: warning: body 1: the corners"), "{}", found.report);
+    // Where nothing would be left, the errors say more.
+    let nothing = "A 1 9,9,9\nC 0,0,5\nsp\nqq\n";
+    let errors = read(FORMAT, nothing, &approximate()).unwrap_err();
+    assert_eq!(errors.to_string(), bad(FORMAT, nothing));
 }
 
 #[test]
