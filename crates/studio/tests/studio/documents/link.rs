@@ -4,6 +4,7 @@ use std::sync::{Arc, Mutex};
 
 use catoptric_editor::Action;
 use catoptric_scene::ScenePart;
+use catoptric_studio::host::Host as _;
 use catoptric_studio::{CameraCommand, DisplayCommand, FileCommand, StartDocument};
 use catoptric_tracer::raster::MethodKind;
 use egui_kittest::kittest::Queryable as _;
