@@ -43,11 +43,7 @@ pub fn read(
     Ok(found)
 }
 
-fn read_as(
-    format: ForeignFormat,
-    text: &str,
-    options: &ImportOptions,
-) -> Result<ImportedScene, Diagnostics> {
+fn read_as(format: ForeignFormat, text: &str, options: &ImportOptions) -> Result<ImportedScene, Diagnostics> {
     match format {
         ForeignFormat::MiniRt => minirt::read(text, options),
         ForeignFormat::Challenge => challenge::read(text, options),
