@@ -182,7 +182,8 @@ fn take(shot: &Shot, size: [f32; 2], folder: &Path) {
         shot.language, shot.theme, !shot.hint
     );
     std::fs::write(&settings, text).unwrap();
-    let start = StartDocument::Example(shot.scene.to_owned());
+    // The hint does not stand over a scene that is asked for by name.
+    let start = if shot.hint { StartDocument::Last } else { StartDocument::Example(shot.scene.to_owned()) };
     let theme = if shot.theme == "light" { egui::Theme::Light } else { egui::Theme::Dark };
     let builder = Harness::builder().with_size(size).with_max_steps(64).with_theme(theme).wgpu();
     let mut harness = builder.build_eframe(|creation| {

@@ -1,11 +1,12 @@
 //! The menus of the outliner.
 
 use catoptric_editor::{Action, Item};
-use catoptric_scene::ShapeKind;
-use egui::{Popup, Response, Style, Ui};
+use egui::{Popup, Response, Style};
+use egui_material_icons::icons;
 
 use super::rows::OutlinerSection;
-use crate::panels::menu_entry::{dress_menu, item};
+use crate::panels::add_menu::add_ui;
+use crate::panels::menu_entry::{dress_menu, item, submenu};
 use crate::state::command::{AddCommand, CameraCommand, Command, JOINS, SelectionCommand};
 use crate::state::context::Cx;
 
@@ -100,7 +101,7 @@ pub(super) fn add_menu(button: &Response, cx: &mut Cx<'_>, section: OutlinerSect
         OutlinerSection::Bodies => {
             let mut commands = Vec::new();
             let popup = Popup::menu(button).style(dress_menu as fn(&mut Style));
-            popup.show(|ui| add_ui(ui, cx, &mut commands, false));
+            popup.show(|ui| add_ui(ui, cx.situation(), &mut commands, false));
             cx.commands.append(&mut commands);
         }
     }
@@ -110,7 +111,9 @@ pub(super) fn add_menu(button: &Response, cx: &mut Cx<'_>, section: OutlinerSect
 pub(super) fn rest_menu(response: &Response, cx: &mut Cx<'_>) {
     let mut commands = Vec::new();
     Popup::context_menu(response).style(dress_menu as fn(&mut Style)).show(|ui| {
-        add_ui(ui, cx, &mut commands, true);
+        ui.set_min_width(200.0);
+        let entry = (icons::ICON_ADD, cx.t("menu-add"));
+        submenu(ui, entry, |ui| add_ui(ui, cx.situation(), &mut commands, true));
         ui.separator();
         for command in [SelectionCommand::Paste.into(), Command::Edit(Action::SelectAll)] {
             if item(ui, cx.situation(), &command) {
@@ -119,15 +122,4 @@ pub(super) fn rest_menu(response: &Response, cx: &mut Cx<'_>) {
         }
     });
     cx.commands.append(&mut commands);
-}
-
-fn add_ui(ui: &mut Ui, cx: &Cx<'_>, commands: &mut Vec<Command>, has_more: bool) {
-    ui.set_min_width(200.0);
-    let more = [AddCommand::Light, AddCommand::Material].into_iter().filter(|_| has_more);
-    let shapes = ShapeKind::SIMPLE.into_iter().chain(ShapeKind::PARAMETRIC).map(AddCommand::Body);
-    for command in shapes.chain(more).map(Command::from) {
-        if item(ui, cx.situation(), &command) {
-            commands.push(command);
-        }
-    }
 }

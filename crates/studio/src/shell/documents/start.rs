@@ -32,6 +32,9 @@ pub(crate) fn start(
     if let Some(folder) = studio.host.recovery_folder() {
         studio.documents.autosave = Autosave::start(context, folder);
     }
+    if *start != StartDocument::Last {
+        studio.first_steps.hold_back();
+    }
     match start {
         StartDocument::Example(name) => show_named(studio, name),
         StartDocument::Link(view) => {
