@@ -281,7 +281,7 @@ fn looking_around_in_an_example_raises_no_alarm() {
     };
     assert_eq!(title(&mut harness), None, "no mark");
     // Longer than it takes until changes are kept.
-    let start = std::time::Instant::now();
+    let start = Instant::now();
     while start.elapsed() < std::time::Duration::from_millis(900) {
         harness.step();
         std::thread::sleep(std::time::Duration::from_millis(20));
