@@ -175,11 +175,11 @@ fn shots() -> Vec<Shot> {
 }
 
 /// The keys that lead into the menu `Add`, and there into the optics.
-const OPTICS: [Key; 10] = {
+const OPTICS: [Key; 11] = {
     use Key::{ArrowDown, ArrowRight, F10};
     [
         F10, ArrowRight, ArrowRight, ArrowDown, ArrowDown, ArrowDown, ArrowDown, ArrowDown, ArrowDown,
-        ArrowRight,
+        ArrowDown, ArrowRight,
     ]
 };
 
@@ -231,6 +231,7 @@ fn take(shot: &Shot, size: [f32; 2], folder: &Path) {
         harness.step();
     }
     if let Some(list) = shot.list {
+        harness.run_steps(4);
         let name = harness.state().texts().get(list).to_owned();
         harness.get_by_role_and_label(egui::accesskit::Role::ComboBox, &name).click();
         harness.run_steps(4);

@@ -66,7 +66,7 @@ pub(crate) fn menu_ui(ui: &mut Ui, studio: &mut Studio) {
     MenuBar::new().style(dress_bar as fn(&mut Style)).ui(ui, |ui| {
         ui.ctx().accesskit_node_builder(ui.unique_id(), |bar| {
             bar.set_role(Role::MenuBar);
-            bar.set_label(studio.texts.get("menu-all"));
+            bar.set_label(studio.texts.get("menu-bar"));
         });
         if ui.available_width() < FULL_WIDTH {
             let name = studio.texts.get("menu-all");
