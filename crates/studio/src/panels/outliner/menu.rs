@@ -13,20 +13,23 @@ use crate::state::context::Cx;
 /// The menu of a row, for all that is selected.
 pub(super) fn item_menu(response: &Response, cx: &mut Cx<'_>, thing: Item) {
     let mut commands = Vec::new();
-    Popup::context_menu(response).style(dress_menu as fn(&mut Style)).show(|ui| {
-        ui.set_min_width(220.0);
-        for group in groups(thing) {
-            for command in group {
-                if item(ui, cx.situation(), &command) {
-                    commands.push(command);
+    Popup::context_menu(response)
+        .accessible_name(cx.t("pane-outliner"))
+        .style(dress_menu as fn(&mut Style))
+        .show(|ui| {
+            ui.set_min_width(220.0);
+            for group in groups(thing) {
+                for command in group {
+                    if item(ui, cx.situation(), &command) {
+                        commands.push(command);
+                    }
                 }
+                ui.separator();
             }
-            ui.separator();
-        }
-        if item(ui, cx.situation(), &Command::Edit(Action::Delete)) {
-            commands.push(Command::Edit(Action::Delete));
-        }
-    });
+            if item(ui, cx.situation(), &Command::Edit(Action::Delete)) {
+                commands.push(Command::Edit(Action::Delete));
+            }
+        });
     cx.commands.append(&mut commands);
 }
 
@@ -40,21 +43,24 @@ pub(super) fn part_menu(response: &Response, cx: &mut Cx<'_>) {
         [Action::ShareMaterial, Action::MakeMaterialUnique, Action::MaterialOfWhole].map(edit).into(),
     ];
     let mut commands = Vec::new();
-    Popup::context_menu(response).style(dress_menu as fn(&mut Style)).show(|ui| {
-        ui.set_min_width(220.0);
-        for command in groups.iter().flat_map(|group| group.iter().map(Some).chain([None])) {
-            let Some(command) = command else {
-                ui.separator();
-                continue;
-            };
-            if item(ui, cx.situation(), command) {
-                commands.push(command.clone());
+    Popup::context_menu(response)
+        .accessible_name(cx.t("pane-outliner"))
+        .style(dress_menu as fn(&mut Style))
+        .show(|ui| {
+            ui.set_min_width(220.0);
+            for command in groups.iter().flat_map(|group| group.iter().map(Some).chain([None])) {
+                let Some(command) = command else {
+                    ui.separator();
+                    continue;
+                };
+                if item(ui, cx.situation(), command) {
+                    commands.push(command.clone());
+                }
             }
-        }
-        if item(ui, cx.situation(), &Command::Edit(Action::Delete)) {
-            commands.push(Command::Edit(Action::Delete));
-        }
-    });
+            if item(ui, cx.situation(), &Command::Edit(Action::Delete)) {
+                commands.push(Command::Edit(Action::Delete));
+            }
+        });
     cx.commands.append(&mut commands);
 }
 
@@ -110,16 +116,19 @@ pub(super) fn add_menu(button: &Response, cx: &mut Cx<'_>, section: OutlinerSect
 /// The menu of the room below the rows.
 pub(super) fn rest_menu(response: &Response, cx: &mut Cx<'_>) {
     let mut commands = Vec::new();
-    Popup::context_menu(response).style(dress_menu as fn(&mut Style)).show(|ui| {
-        ui.set_min_width(200.0);
-        let entry = (icons::ICON_ADD, cx.t("menu-add"));
-        submenu(ui, entry, |ui| add_ui(ui, cx.situation(), &mut commands, true));
-        ui.separator();
-        for command in [SelectionCommand::Paste.into(), Command::Edit(Action::SelectAll)] {
-            if item(ui, cx.situation(), &command) {
-                commands.push(command);
+    Popup::context_menu(response)
+        .accessible_name(cx.t("pane-outliner"))
+        .style(dress_menu as fn(&mut Style))
+        .show(|ui| {
+            ui.set_min_width(200.0);
+            let entry = (icons::ICON_ADD, cx.t("menu-add"));
+            submenu(ui, entry, |ui| add_ui(ui, cx.situation(), &mut commands, true));
+            ui.separator();
+            for command in [SelectionCommand::Paste.into(), Command::Edit(Action::SelectAll)] {
+                if item(ui, cx.situation(), &command) {
+                    commands.push(command);
+                }
             }
-        }
-    });
+        });
     cx.commands.append(&mut commands);
 }
