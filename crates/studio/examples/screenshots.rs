@@ -9,8 +9,9 @@ use std::time::{Duration, Instant};
 use catoptric_scene::ScenePart;
 use catoptric_studio::host::{FileAnswer, FileQuestion, Host};
 use catoptric_studio::{AuditCommand, Command, StartDocument, Studio};
-use egui::{Event, Modifiers, PointerButton, Pos2};
+use egui::{Event, Key, Modifiers, PointerButton, Pos2};
 use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
 
 /// A system without files but for the settings.
 struct Nowhere {
@@ -42,6 +43,10 @@ struct Shot {
     /// What is done one after the other.
     commands: Vec<&'static str>,
     hint: bool,
+    /// The list that is opened, by its message.
+    list: Option<&'static str>,
+    /// The keys that are pressed then.
+    keys: Vec<Key>,
     /// How far down the keys walk in the materials.
     rows_down: usize,
     /// Where the pointer rests in the picture, or below it.
@@ -71,6 +76,8 @@ const fn shot(name: &'static str, language: &'static str, theme: &'static str, s
         selected: None,
         commands: Vec::new(),
         hint: false,
+        list: None,
+        keys: Vec::new(),
         rows_down: 0,
         pointer: None,
         audit: None,
@@ -152,8 +159,29 @@ fn shots() -> Vec<Shot> {
             ..shot("studio-measure", "english", "light", "four-bodies")
         },
         Shot { hint: true, ..shot("studio-first", "english", "dark", "four-bodies") },
+        Shot { keys: OPTICS.into(), ..shot("studio-add-en", "english", "dark", "four-bodies") },
+        Shot { keys: OPTICS.into(), ..shot("studio-add-ru", "russian", "light", "four-bodies") },
+        Shot {
+            selected: body(1),
+            list: Some("section-shape"),
+            ..shot("studio-shapes-en", "english", "dark", "four-bodies")
+        },
+        Shot {
+            selected: body(1),
+            list: Some("section-shape"),
+            ..shot("studio-shapes-ru", "russian", "light", "four-bodies")
+        },
     ]
 }
+
+/// The keys that lead into the menu `Add`, and there into the optics.
+const OPTICS: [Key; 11] = {
+    use Key::{ArrowDown, ArrowRight, F10};
+    [
+        F10, ArrowRight, ArrowRight, ArrowDown, ArrowDown, ArrowDown, ArrowDown, ArrowDown, ArrowDown,
+        ArrowDown, ArrowRight,
+    ]
+};
 
 /// The rays of a pixel of the glass ball in Whitted's scene from beside, the one through the ball chosen.
 const OUTSIDE: Look =
@@ -182,7 +210,8 @@ fn take(shot: &Shot, size: [f32; 2], folder: &Path) {
         shot.language, shot.theme, !shot.hint
     );
     std::fs::write(&settings, text).unwrap();
-    let start = StartDocument::Example(shot.scene.to_owned());
+    // The hint does not stand over a scene that is asked for by name.
+    let start = if shot.hint { StartDocument::Last } else { StartDocument::Example(shot.scene.to_owned()) };
     let theme = if shot.theme == "light" { egui::Theme::Light } else { egui::Theme::Dark };
     let builder = Harness::builder().with_size(size).with_max_steps(64).with_theme(theme).wgpu();
     let mut harness = builder.build_eframe(|creation| {
@@ -198,8 +227,18 @@ fn take(shot: &Shot, size: [f32; 2], folder: &Path) {
         harness.step();
     }
     for _ in 0..shot.rows_down {
-        harness.key_press(egui::Key::ArrowDown);
+        harness.key_press(Key::ArrowDown);
         harness.step();
+    }
+    if let Some(list) = shot.list {
+        harness.run_steps(4);
+        let name = harness.state().texts().get(list).to_owned();
+        harness.get_by_role_and_label(egui::accesskit::Role::ComboBox, &name).click();
+        harness.run_steps(4);
+    }
+    for key in &shot.keys {
+        harness.key_press(*key);
+        harness.run_steps(2);
     }
     let pictured = ["file.examples", "window.pane.materials"];
     let has_thumbnails = shot.commands.iter().any(|command| pictured.contains(command));

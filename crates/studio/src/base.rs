@@ -17,6 +17,7 @@ pub(crate) mod shortcut_text;
 pub(crate) mod texts;
 pub(crate) mod theme;
 pub(crate) mod thumbnails;
+pub(crate) mod tree_roles;
 pub(crate) mod typeset;
 pub(crate) mod widgets;
 pub(crate) mod words;

@@ -1,5 +1,6 @@
 //! The panels. They get a context, [`Cx`](crate::state::context::Cx), and ask for commands.
 
+pub(crate) mod add_menu;
 pub(crate) mod audit;
 pub(crate) mod compare;
 pub(crate) mod example_note;

@@ -59,3 +59,63 @@ pub(crate) const fn shape_choice(shape: ShapeKind) -> &'static str {
         ShapeKind::Group => "shape-group",
     }
 }
+
+/// A group of shapes: menus and the inspector offer them by these.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum ShapeGroup {
+    /// What has an inside.
+    Bodies,
+    /// What optical benches hold.
+    Optics,
+    /// What has no inside.
+    Surfaces,
+    /// What is joined of parts.
+    Joined,
+}
+
+impl ShapeGroup {
+    /// The groups of what can be added, in the order in which to offer them.
+    pub(crate) const ADDED: [Self; 3] = [Self::Bodies, Self::Optics, Self::Surfaces];
+
+    /// The group of a shape.
+    pub(crate) const fn of(shape: ShapeKind) -> Self {
+        match shape {
+            ShapeKind::Sphere
+            | ShapeKind::Cube
+            | ShapeKind::Cylinder
+            | ShapeKind::Cone
+            | ShapeKind::Paraboloid
+            | ShapeKind::Plane
+            | ShapeKind::Tube
+            | ShapeKind::Ring
+            | ShapeKind::Bowl
+            | ShapeKind::Wedge => Self::Bodies,
+            ShapeKind::Lens | ShapeKind::MirrorDish | ShapeKind::Prism => Self::Optics,
+            ShapeKind::OpenCylinder
+            | ShapeKind::OpenCone
+            | ShapeKind::Disc
+            | ShapeKind::Rectangle
+            | ShapeKind::Triangle => Self::Surfaces,
+            ShapeKind::Union
+            | ShapeKind::Intersection
+            | ShapeKind::Difference
+            | ShapeKind::Surface
+            | ShapeKind::Group => Self::Joined,
+        }
+    }
+
+    /// The shapes of the group, in the order in which to offer them.
+    pub(crate) fn shapes(self) -> impl Iterator<Item = ShapeKind> {
+        ShapeKind::ALL.into_iter().filter(move |shape| Self::of(*shape) == self)
+    }
+
+    /// The message that names the group.
+    pub(crate) const fn key(self) -> &'static str {
+        match self {
+            Self::Bodies => "shapes-bodies",
+            Self::Optics => "shapes-optics",
+            Self::Surfaces => "shapes-surfaces",
+            Self::Joined => "shapes-joined",
+        }
+    }
+}

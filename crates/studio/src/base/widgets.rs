@@ -3,6 +3,8 @@
 pub(crate) mod choice;
 pub(crate) mod color;
 pub(crate) mod filter;
+pub(crate) mod footer;
+pub(crate) mod icon_choice;
 pub(crate) mod number;
 pub(crate) mod picker;
 pub(crate) mod row;
@@ -58,6 +60,19 @@ pub(crate) fn explained_icon_button(
 pub(crate) fn paint_icon(ui: &Ui, icon: MaterialIcon, center: egui::Pos2, size: f32, color: egui::Color32) {
     let font = egui::FontId::new(size, icon.font_family());
     ui.painter().text(center, Align2::CENTER_CENTER, icon.codepoint, font, color);
+}
+
+/// Draws an icon that only adorns the words beside it: who does not see it misses nothing.
+pub(crate) fn icon_ui(ui: &mut Ui, icon: MaterialIcon, size: f32, color: egui::Color32) -> Response {
+    let height = ui.spacing().interact_size.y.max(size);
+    let (rect, response) = ui.allocate_exact_size(vec2(size, height), Sense::hover());
+    paint_icon(ui, icon, rect.center(), size, color);
+    response
+}
+
+/// The width of a line of text, points.
+pub(crate) fn text_width(ui: &Ui, text: &str, font: &egui::FontId) -> f32 {
+    ui.painter().layout_no_wrap(text.to_owned(), font.clone(), egui::Color32::PLACEHOLDER).size().x
 }
 
 /// Paints a line of text in the middle of `rect`, with an ellipsis where it has no room.

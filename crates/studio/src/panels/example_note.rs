@@ -10,7 +10,7 @@ use egui_material_icons::icons;
 
 use crate::base::example_texts::example_title;
 use crate::base::texts::Texts;
-use crate::base::widgets::icon_button;
+use crate::base::widgets::{icon_button, icon_ui};
 use crate::base::{scripts, theme};
 
 /// The least panel that the note fits into besides the picture, points.
@@ -128,7 +128,7 @@ fn title_ui(ui: &mut Ui, title: &str, texts: &Texts) -> bool {
     ui.allocate_ui_with_layout(size, Layout::right_to_left(Align::Center), |ui| {
         let is_closed = icon_button(ui, icons::ICON_CLOSE, texts.get("example-note-close"), false).clicked();
         ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-            ui.label(icons::ICON_TIPS_AND_UPDATES.rich_text().size(16.0).color(palette.accent));
+            icon_ui(ui, icons::ICON_TIPS_AND_UPDATES, 16.0, palette.accent);
             ui.add(Label::new(RichText::new(title).strong()).truncate());
         });
         is_closed

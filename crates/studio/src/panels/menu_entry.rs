@@ -1,7 +1,8 @@
 //! Commands as entries of menus.
 
+use egui::containers::menu::SubMenuButton;
 use egui::{Button, Response, Style, TextWrapMode, Ui, vec2};
-use egui_material_icons::icons;
+use egui_material_icons::{MaterialIcon, icons};
 
 use crate::base::shortcut_text;
 use crate::base::widgets::tip::tip_beside_entry;
@@ -28,7 +29,7 @@ pub(crate) fn item_response(
     command: &Command,
 ) -> Option<Response> {
     let look = command.look()?;
-    let name = situation.label(command);
+    let name = situation.entry_label(command);
     let is_on = situation.is_on(command);
     let icon = match (is_on, command.is_choice()) {
         (None, _) => look.icon,
@@ -53,4 +54,15 @@ pub(crate) fn item_response(
         ui.close();
     }
     Some(response)
+}
+
+/// Draws an entry that opens a menu of its own.
+pub(crate) fn submenu(
+    ui: &mut Ui,
+    (icon, name): (MaterialIcon, &str),
+    content: impl FnOnce(&mut Ui),
+) -> Response {
+    let button = Button::new((icon.rich_text(), name)).right_text(SubMenuButton::arrow_atom(None));
+    let (response, _) = SubMenuButton::from_button(button).ui(ui, content);
+    response.accessible_name(name)
 }

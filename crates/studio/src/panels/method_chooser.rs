@@ -4,7 +4,7 @@ mod fields;
 
 use catoptric_tracer::raster::MethodKind;
 use egui::{Button, Popup, PopupCloseBehavior, Response, RichText, Ui, vec2};
-use egui_material_icons::icons::{ICON_LAYERS, ICON_SAVE_AS};
+use egui_material_icons::icons::{ICON_LAYERS, ICON_PHOTO_CAMERA_BACK};
 
 use crate::base::texts::Texts;
 use crate::base::{shortcut_text, theme};
@@ -107,7 +107,7 @@ fn shown_button(ui: &mut Ui, cx: &mut Cx<'_>, height: f32) {
             });
         }
         ui.separator();
-        let label = format!("{} {}", ICON_SAVE_AS.codepoint, cx.t("command-render-shown"));
+        let label = format!("{} {}", ICON_PHOTO_CAMERA_BACK.codepoint, cx.t("command-render-shown"));
         let save = ui.button(label).accessible_name(cx.t("command-render-shown"));
         if save.on_hover_text(cx.texts.tip("command-render-shown").unwrap_or_default()).clicked() {
             cx.run(PictureCommand::RenderShown);

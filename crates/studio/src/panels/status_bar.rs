@@ -6,6 +6,7 @@ use egui::{Align, Label, Layout, ProgressBar, Response, RichText, Sides, TextSty
 use egui_material_icons::icons;
 
 use crate::base::texts::Texts;
+use crate::base::widgets::icon_ui;
 use crate::base::{theme, words};
 use crate::panels::viewport;
 use crate::state::card::why;
@@ -147,8 +148,7 @@ fn progress_ui(ui: &mut Ui, texts: &Texts, status: &Status, sample: &str) {
     };
     let palette = theme::palette(ui.visuals());
     if is_done {
-        let check = icons::ICON_CHECK.rich_text().color(palette.weak);
-        tip(ui.label(check), texts.tip("status-refining-name"));
+        icon_ui(ui, icons::ICON_CHECK, 14.0, palette.weak);
         cell(ui, &text, sample, texts.tip("status-refining-name"));
         return;
     }

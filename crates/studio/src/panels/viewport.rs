@@ -26,8 +26,12 @@ mod scene_view;
 mod steering;
 mod toolbar;
 
+use std::sync::Arc;
+
 use catoptric_editor::Action;
+use catoptric_live::Live;
 use catoptric_scene::Camera;
+use catoptric_tracer::RenderScene;
 use egui::accesskit::Role;
 use egui::emath::GuiRounding as _;
 use egui::{
@@ -65,6 +69,8 @@ pub(crate) struct Viewport {
     pointer_tool: PointerTool,
     navigation: CameraNavigation,
     transition: Option<camera_transition::CameraTransition>,
+    /// The first revision of the document. Pictures and prepared scenes of earlier ones are of another document.
+    first_revision: u64,
 }
 
 impl Viewport {
@@ -94,12 +100,24 @@ impl Viewport {
         self.covered = None;
     }
 
-    /// Ends all drags and key presses, since another document has come.
-    pub(crate) fn begin_document(&mut self) {
+    /// Ends all drags and key presses, since another document has come, which begins with this revision.
+    pub(crate) fn begin_document(&mut self, revision: u64) {
+        self.first_revision = revision;
         self.pointer_tool = PointerTool::default();
         self.navigation.stop();
         self.transition = None;
         self.covered = None;
+    }
+
+    /// Whether something of this revision is of the open document. For a moment the picture is still that of the one before.
+    fn is_of_document(&self, revision: u64) -> bool {
+        revision >= self.first_revision
+    }
+
+    /// The scene of the document as it is prepared for rays, once it is.
+    pub(crate) fn render_scene(&self, live: &Live) -> Option<Arc<RenderScene>> {
+        let (revision, render_scene) = live.render_scene()?;
+        self.is_of_document(revision).then_some(render_scene)
     }
 
     /// Lets the eye follow a jump of the camera; returns whether there is a way to go.
@@ -164,8 +182,9 @@ pub(crate) fn viewport_ui(ui: &mut Ui, cx: &mut Cx<'_>, viewport: &mut Viewport)
     // What is drawn over the picture has the same colors in every theme, as the picture has.
     let palette = theme::palette(&Visuals::dark());
     // All that is drawn over the picture sees it as the picture was seen, also while the camera is ahead of it.
-    let camera = frame.as_ref().map_or_else(|| cx.view.camera(cx.editor.scene()), |frame| frame.camera);
-    let scene_view = SceneView::new(cx.live, rect, (tile, viewport.bar), camera);
+    let own = frame.as_ref().filter(|frame| viewport.is_of_document(frame.revision));
+    let camera = own.map_or_else(|| cx.view.camera(cx.editor.scene()), |frame| frame.camera);
+    let scene_view = SceneView::new(viewport.render_scene(cx.live), rect, (tile, viewport.bar), camera);
     if frame.as_deref().is_some_and(picture::is_apart) {
         // Nothing can be picked in it, and nothing belongs over it.
         viewport.pointer_tool = PointerTool::default();

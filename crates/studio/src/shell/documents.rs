@@ -140,7 +140,7 @@ fn show(studio: &mut Studio, editor: Editor) {
     studio.view.range = CachedCameraRange::default();
     let before = std::mem::replace(&mut studio.editor, editor);
     studio.panes.outliner.stop_renaming();
-    studio.panes.viewport.begin_document();
+    studio.panes.viewport.begin_document(studio.editor.revision());
     studio.panes.inspector.begin_document();
     if before.scene().bodies.len() > MANY {
         // Freeing it takes longer than a frame.
@@ -272,6 +272,7 @@ fn show_title(context: &Context, studio: &mut Studio) {
     let name = name(studio);
     let key = if has_unsaved_work(studio) { "window-title-changed" } else { "window-title" };
     let title = studio.texts.with(key, &[("name", name.into())]);
+    context.accesskit_node_builder(egui::accesskit_root_id(), |window| window.set_label(title.as_str()));
     if title != studio.documents.title {
         context.send_viewport_cmd(ViewportCommand::Title(title.clone()));
         studio.documents.title = title;

@@ -93,6 +93,9 @@ impl ExampleGallery {
         response.widget_info(|| {
             WidgetInfo::labeled(egui::accesskit::Role::SearchInput, true, texts.get("examples-search"))
         });
+        // Without the sign of the icon.
+        ui.ctx()
+            .accesskit_node_builder(response.id, |node| node.set_placeholder(texts.get("examples-search")));
         if response.changed() {
             self.selected = 0;
         }

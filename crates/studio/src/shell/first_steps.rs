@@ -9,7 +9,7 @@ use glam::DVec3;
 
 use crate::base::texts::Texts;
 use crate::base::theme;
-use crate::base::widgets::icon_button;
+use crate::base::widgets::{icon_button, icon_ui};
 use crate::state::command::{AuditCommand, Command, FileCommand};
 use crate::state::context::Cx;
 
@@ -28,6 +28,8 @@ pub(crate) struct FirstSteps {
     done: [bool; 3],
     /// The scene before anything was done to it, and the camera of the view then.
     start: Option<(Arc<Scene>, Camera)>,
+    /// The picture is to be seen whole.
+    is_held_back: bool,
 }
 
 impl FirstSteps {
@@ -36,6 +38,12 @@ impl FirstSteps {
         let scene = cx.editor.scene();
         *self = Self { start: Some((Arc::clone(scene), cx.view.camera(scene))), ..Self::default() };
         cx.settings.is_hint_dismissed = false;
+    }
+
+    /// Leaves the picture of a scene alone that was asked for by name. The hint comes with the next start, or when it is
+    /// asked for.
+    pub(crate) fn hold_back(&mut self) {
+        self.is_held_back = true;
     }
 }
 
@@ -52,7 +60,7 @@ fn is_turned(before: &Camera, now: &Camera) -> bool {
 /// Draws the hint in the corner of the rectangle where the picture is seen, unless it has been dismissed; only keeps up
 /// with what was done where there is none.
 pub(crate) fn first_steps_ui(context: &Context, cx: &mut Cx<'_>, steps: &mut FirstSteps, view: Option<Rect>) {
-    if cx.settings.is_hint_dismissed {
+    if cx.settings.is_hint_dismissed || steps.is_held_back {
         return;
     }
     watch(cx, steps);
@@ -126,8 +134,13 @@ fn card_ui(ui: &mut Ui, texts: &Texts, done: [bool; 3]) -> CardResponse {
             (icons::ICON_RADIO_BUTTON_UNCHECKED, palette.accent, palette.text)
         };
         ui.horizontal_top(|ui| {
-            ui.label(icon.rich_text().size(17.0).color(tint));
-            ui.add(egui::Label::new(RichText::new(texts.get(key)).color(color)).wrap());
+            icon_ui(ui, icon, 17.0, tint);
+            let step = ui.add(egui::Label::new(RichText::new(texts.get(key)).color(color)).wrap());
+            if is_done {
+                // Nobody but those who see it would know by the color.
+                let told = texts.with("first-step-done", &[("step", texts.get(key).into())]);
+                ui.ctx().accesskit_node_builder(step.id, |node| node.set_value(told));
+            }
         });
     }
     if done == [true; 3] {

@@ -10,7 +10,7 @@ use egui_tiles::Tree;
 use crate::base::focus_turns::FocusTurns;
 use crate::base::notices::Toasts;
 use crate::base::texts::Texts;
-use crate::base::theme;
+use crate::base::{theme, tree_roles};
 use crate::panels::panes::{self, PaneBehavior, Panes};
 use crate::panels::{materials, outliner, status_bar};
 use crate::shell::failure::StudioError;
@@ -57,6 +57,7 @@ impl Studio {
         let settings = host.settings_path().map_or_else(Settings::first, |path| Settings::load(&path));
         theme::install(context);
         FocusTurns::install(context);
+        tree_roles::install(context);
         theme::choose(context, settings.theme);
         context.options_mut(|options| {
             options.zoom_with_keyboard = false;

@@ -64,7 +64,9 @@ pub(crate) fn help_ui(context: &Context, texts: &Texts, help: &mut HelpWindow) {
     let size = vec2((screen.x - 60.0).min(720.0), (screen.y - 80.0).min(620.0));
     let mut wanted = Some(page);
     let frame = egui::Frame::popup(&context.global_style()).inner_margin(14.0);
-    let modal = Modal::new(Id::unique("help")).frame(frame).show(context, |ui| {
+    let id = Id::unique("help");
+    let area = Modal::default_area(id).accessible_name(texts.get(page.key()));
+    let modal = Modal::new(id).area(area).frame(frame).show(context, |ui| {
         ui.set_width(size.x);
         ui.set_height(size.y);
         heads_ui(ui, texts, &mut wanted);

@@ -17,7 +17,7 @@ use egui_material_icons::icons;
 
 use crate::base::texts::{Language, Texts};
 use crate::base::theme;
-use crate::base::widgets::icon_button;
+use crate::base::widgets::{icon_button, icon_ui};
 use markdown::{BlockContent, ManualLink, ManualPage};
 use page_ui::{BlockOffsets, PageView};
 use pages::SOURCES;
@@ -228,7 +228,7 @@ fn window_ui(ui: &mut Ui, texts: &Texts, manual: &mut ManualWindow) -> ManualRes
 fn head_ui(ui: &mut Ui, texts: &Texts, manual: &ManualWindow, choice: &mut ManualResponse) {
     ui.horizontal(|ui| {
         let color = theme::palette(ui.visuals()).accent;
-        ui.label(icons::ICON_MENU_BOOK.rich_text().size(18.0).color(color));
+        icon_ui(ui, icons::ICON_MENU_BOOK, 18.0, color);
         ui.strong(texts.get("command-manual"));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             choice.is_closed = icon_button(ui, icons::ICON_CLOSE, texts.get("close"), false).clicked();

@@ -3,18 +3,21 @@
 use catoptric_editor::Action;
 use catoptric_editor::navigate::ViewSide;
 use catoptric_lab::maps::MapKind;
-use catoptric_scene::{Example, ShapeKind};
+use catoptric_scene::Example;
 use catoptric_tracer::raster::MethodKind;
+use egui::accesskit::Role;
 use egui::containers::menu::{MenuBar, SubMenuButton};
 use egui::{Align, Button, Id, Layout, Popup, Response, ScrollArea, SetOpenCommand, Style, Ui, Vec2, vec2};
 use egui_material_icons::{MaterialIcon, icons};
 
 use crate::base::example_texts::example_title;
+use crate::base::shapes::ShapeGroup;
 use crate::base::texts::Language;
 use crate::base::theme::{self, Theme};
 use crate::base::widgets::icon_button;
 use crate::base::widgets::tip::tip_beside_entry;
-use crate::panels::menu_entry::{dress_menu, item_response};
+use crate::panels::add_menu;
+use crate::panels::menu_entry::{dress_menu, item_response, submenu};
 use crate::shell::documents::recent;
 use crate::shell::menu_focus::MenuFocus;
 use crate::shell::studio::Studio;
@@ -61,6 +64,10 @@ pub(crate) fn menu_ui(ui: &mut Ui, studio: &mut Studio) {
     let mut focus = std::mem::take(&mut studio.menu_focus);
     focus.begin(ui.ctx());
     MenuBar::new().style(dress_bar as fn(&mut Style)).ui(ui, |ui| {
+        ui.ctx().accesskit_node_builder(ui.unique_id(), |bar| {
+            bar.set_role(Role::MenuBar);
+            bar.set_label(studio.texts.get("menu-bar"));
+        });
         if ui.available_width() < FULL_WIDTH {
             let name = studio.texts.get("menu-all");
             bar_button(ui, (icons::ICON_MENU.rich_text(), name), &mut focus, |ui, focus| {
@@ -175,12 +182,7 @@ fn entries_ui(
                 None
             }
             MenuItem::Sub(key, icon, content) => {
-                let text = studio.texts.get(key);
-                let button =
-                    Button::new((icon.rich_text(), text)).right_text(SubMenuButton::arrow_atom(None));
-                let (response, _) =
-                    SubMenuButton::from_button(button).ui(ui, |ui| content(ui, studio, commands));
-                Some(response.accessible_name(text))
+                Some(submenu(ui, (icon, studio.texts.get(key)), |ui| content(ui, studio, commands)))
             }
         };
         if let (Some(focus), Some(response)) = (&mut focus, response) {
@@ -239,11 +241,22 @@ fn edit() -> Vec<MenuItem> {
 }
 
 fn add() -> Vec<MenuItem> {
-    let mut entries: Vec<MenuItem> = commands_of(ShapeKind::SIMPLE.map(AddCommand::Body)).collect();
+    use ShapeGroup::{Bodies, Optics, Surfaces};
+    let mut entries: Vec<MenuItem> = commands_of(add_menu::FRONT).collect();
     entries.push(MenuItem::Line);
-    entries.extend(commands_of(ShapeKind::PARAMETRIC.map(AddCommand::Body)));
+    entries.extend([
+        MenuItem::Sub(Bodies.key(), add_menu::icon(Bodies), |ui, studio, commands| {
+            add_menu::group_ui(ui, studio.situation(), commands, Bodies);
+        }),
+        MenuItem::Sub(Optics.key(), add_menu::icon(Optics), |ui, studio, commands| {
+            add_menu::group_ui(ui, studio.situation(), commands, Optics);
+        }),
+        MenuItem::Sub(Surfaces.key(), add_menu::icon(Surfaces), |ui, studio, commands| {
+            add_menu::group_ui(ui, studio.situation(), commands, Surfaces);
+        }),
+    ]);
     entries.push(MenuItem::Line);
-    entries.extend(commands_of([AddCommand::Light, AddCommand::Material]));
+    entries.push(MenuItem::Do(AddCommand::Material.into()));
     entries
 }
 

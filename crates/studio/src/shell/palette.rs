@@ -60,7 +60,9 @@ pub(crate) fn palette_ui(
     open.search();
     let done = open.keys(context);
     let width = (context.content_rect().width() - 40.0).min(580.0);
-    let area = Modal::default_area(Id::unique("palette")).anchor(Align2::CENTER_TOP, vec2(0.0, 64.0));
+    let area = Modal::default_area(Id::unique("palette"))
+        .anchor(Align2::CENTER_TOP, vec2(0.0, 64.0))
+        .accessible_name(situation.texts.get("command-palette"));
     let modal = Modal::new(Id::unique("palette")).area(area).show(context, |ui| {
         ui.set_width(width);
         open.field_ui(ui, situation);

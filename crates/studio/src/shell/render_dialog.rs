@@ -9,15 +9,17 @@ use catoptric_scene::format::spec::Limits;
 use catoptric_tracer::RenderSettings;
 use catoptric_tracer::raster::MethodKind;
 use egui::{ComboBox, Grid, Label, Response, RichText, Ui};
+use egui_material_icons::MaterialIcon;
 use egui_material_icons::icons::{ICON_INFO, ICON_MEMORY, ICON_SCHEDULE, ICON_WARNING};
 
 use crate::base::texts::Texts;
 use crate::base::widgets::choice::{ChoiceItem, choice_ui};
+use crate::base::widgets::icon_ui;
 use crate::base::widgets::number::{NumberField, Refusal, Unit};
 use crate::base::{theme, words};
 use crate::shell::pictures::{self, fields};
 use crate::shell::studio::Studio;
-use crate::shell::studio::dialogs::{Dialog, DialogFlow, buttons_if};
+use crate::shell::studio::dialogs::{Dialog, DialogFlow, body_ui, buttons_if};
 use crate::state::methods::method_key;
 use crate::state::render_choices::{PictureKind, RenderChoices};
 use estimate::{RenderEstimate, RenderTime};
@@ -73,20 +75,22 @@ impl Dialog for RenderDialog {
         let texts = &studio.texts;
         let scene = studio.editor.scene();
         self.refused = None;
-        Grid::new("render fields").num_columns(2).spacing([18.0, 10.0]).show(ui, |ui| {
-            self.size.rows_ui(ui, texts, &mut self.choices, &mut self.refused);
-            samples_row(ui, texts, &mut self.choices.samples, &mut self.refused);
-            let generations = &mut self.choices.generations;
-            generations_row(ui, texts, generations, scene.tracing.generations, &mut self.refused);
-            method_row(ui, texts, &mut self.method);
-            kind_row(ui, texts, &mut self.choices.kind);
-            self.development_rows(ui, texts);
+        let is_ready = body_ui(ui, |ui| {
+            Grid::new("render fields").num_columns(2).spacing([18.0, 10.0]).show(ui, |ui| {
+                self.size.rows_ui(ui, texts, &mut self.choices, &mut self.refused);
+                samples_row(ui, texts, &mut self.choices.samples, &mut self.refused);
+                let generations = &mut self.choices.generations;
+                generations_row(ui, texts, generations, scene.tracing.generations, &mut self.refused);
+                method_row(ui, texts, &mut self.method);
+                kind_row(ui, texts, &mut self.choices.kind);
+                self.development_rows(ui, texts);
+            });
+            ui.add_space(2.0);
+            // Only of tracing it is known how the time grows.
+            let is_traced = self.method.abilities().has_ray_tree;
+            let time = is_traced.then(|| self.estimate.time(ui.ctx(), studio, &self.choices));
+            self.notes_ui(ui, studio, time)
         });
-        ui.add_space(2.0);
-        // Only of tracing it is known how the time grows.
-        let is_traced = self.method.abilities().has_ray_tree;
-        let time = is_traced.then(|| self.estimate.time(ui.ctx(), studio, &self.choices));
-        let is_ready = self.notes_ui(ui, studio, time);
         let start = match studio.pictures.is_rendering() {
             true => studio.texts.get("render-start-anew"),
             false => studio.texts.get("render-start"),
@@ -127,21 +131,21 @@ impl RenderDialog {
             Some(_) => texts.get("render-note-camera"),
             None => texts.get("render-note-snapshot"),
         };
-        note(ui, ICON_INFO.codepoint, camera, palette.weak);
+        note(ui, ICON_INFO, camera, palette.weak);
         if self.choices.kind.is_linear() {
-            note(ui, ICON_INFO.codepoint, texts.get("render-note-linear"), palette.weak);
+            note(ui, ICON_INFO, texts.get("render-note-linear"), palette.weak);
         }
         if let Some(refused) = &self.refused {
-            note(ui, ICON_WARNING.codepoint, &refused.explained(texts), palette.error);
+            note(ui, ICON_WARNING, &refused.explained(texts), palette.error);
             return false;
         }
         if let Some(problem) = self.problem(texts) {
-            note(ui, ICON_WARNING.codepoint, &problem, palette.error);
+            note(ui, ICON_WARNING, &problem, palette.error);
             return false;
         }
         let memory = words::bytes(texts, self.choices.bytes());
         let memory = texts.with("render-memory", &[("bytes", memory.into())]);
-        note(ui, ICON_MEMORY.codepoint, &memory, palette.weak);
+        note(ui, ICON_MEMORY, &memory, palette.weak);
         if let Some(time) = time {
             let time = match time {
                 RenderTime::Unknown => texts.get("render-time-unknown").to_owned(),
@@ -149,10 +153,10 @@ impl RenderDialog {
                     texts.with("render-time", &[("time", words::rough_time(texts, seconds).into())])
                 }
             };
-            note(ui, ICON_SCHEDULE.codepoint, &time, palette.weak);
+            note(ui, ICON_SCHEDULE, &time, palette.weak);
         }
         if studio.pictures.is_rendering() {
-            note(ui, ICON_WARNING.codepoint, texts.get("render-note-running"), palette.warning);
+            note(ui, ICON_WARNING, texts.get("render-note-running"), palette.warning);
         }
         true
     }
@@ -183,9 +187,9 @@ fn label(ui: &mut Ui, texts: &Texts, key: &str) -> Response {
 }
 
 /// A line with an icon.
-fn note(ui: &mut Ui, icon: &str, text: &str, color: egui::Color32) {
+fn note(ui: &mut Ui, icon: MaterialIcon, text: &str, color: egui::Color32) {
     ui.horizontal_top(|ui| {
-        ui.add(Label::new(RichText::new(icon).size(15.0).color(color)));
+        icon_ui(ui, icon, 15.0, color);
         ui.add(Label::new(RichText::new(text).color(color)).wrap());
     });
 }

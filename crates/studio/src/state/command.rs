@@ -1,5 +1,7 @@
 //! The commands of the studio: one list that feeds menus, shortcuts and the command palette.
 
+#[cfg(test)]
+mod icon_tests;
 mod table;
 
 use std::path::PathBuf;

@@ -4,6 +4,7 @@ use catoptric_editor::{Action, Editor, Item, Label};
 use catoptric_live::Live;
 use egui_tiles::Tree;
 
+use crate::base::shapes::shape_name;
 use crate::base::texts::Texts;
 use crate::state::audit::AuditState;
 use crate::state::card::WindowCard;
@@ -295,9 +296,26 @@ impl CommandContext<'_> {
         command.look().map_or_else(String::new, |look| self.texts.get(look.key).to_owned())
     }
 
+    /// What a menu calls `command`: what stands in the menu *Add* is not called so again.
+    pub(crate) fn entry_label(&self, command: &Command) -> String {
+        match command {
+            Command::Add(act) => self.texts.get(added_name(*act)).to_owned(),
+            _ => self.label(command),
+        }
+    }
+
     /// One sentence that explains `command`.
     pub(crate) fn tip(&self, command: &Command) -> Option<&str> {
         command.look().and_then(|look| self.texts.tip(look.key))
+    }
+}
+
+/// The message that names what a command adds.
+const fn added_name(act: AddCommand) -> &'static str {
+    match act {
+        AddCommand::Body(shape) => shape_name(shape),
+        AddCommand::Light => "name-light-source",
+        AddCommand::Material => "name-material",
     }
 }
 

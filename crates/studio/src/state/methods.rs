@@ -164,7 +164,7 @@ pub(crate) const fn icon(kind: MethodKind) -> MaterialIcon {
     match kind {
         MethodKind::Whitted => icons::ICON_FLARE,
         MethodKind::Ssr => icons::ICON_SCREENSHOT_MONITOR,
-        MethodKind::CubeMap => icons::ICON_DEPLOYED_CODE,
+        MethodKind::CubeMap => icons::ICON_VRPANO,
         MethodKind::Phong => icons::ICON_BLUR_LINEAR,
         MethodKind::Gouraud => icons::ICON_GRADIENT,
         MethodKind::Flat => icons::ICON_CATEGORY,

@@ -5,8 +5,8 @@ use std::path::Path;
 use catoptric_editor::Action;
 use catoptric_scene::ScenePart;
 use catoptric_studio::{
-    CameraCommand, Command, CommandGroup, Language, Pane, StartDocument, Studio, Texts, Theme, Tool,
-    ToolCommand, WindowCommand,
+    CameraCommand, Command, CommandGroup, FileCommand, Language, Pane, StartDocument, Studio, Texts, Theme,
+    Tool, ToolCommand, WindowCommand,
 };
 use catoptric_tracer::raster::MethodKind;
 use egui::accesskit::Role;
@@ -395,7 +395,7 @@ fn help_has_its_pages() {
 fn the_first_steps_tick_themselves_and_stay_away_once_dismissed() {
     let host = TestHost::new();
     std::fs::write(host.path("settings.json"), r#"{"language": "english"}"#).unwrap();
-    let mut harness = studio_with(host, StartDocument::Example("four-bodies".to_owned()));
+    let mut harness = studio_with(host, StartDocument::Last);
     settle(&mut harness);
     assert!(harness.query_by_label("First steps").is_some());
     assert!(harness.query_all_by_label_contains("That is all.").next().is_none());
@@ -444,7 +444,7 @@ fn the_first_steps_tick_themselves_and_stay_away_once_dismissed() {
 fn with_first_steps_done() -> Kit {
     let host = TestHost::new();
     std::fs::write(host.path("settings.json"), r#"{"language": "english"}"#).unwrap();
-    let mut harness = studio_with(host, StartDocument::Example("four-bodies".to_owned()));
+    let mut harness = studio_with(host, StartDocument::Last);
     settle(&mut harness);
     let change = |scene: &mut catoptric_scene::Scene| {
         scene.camera.position.x += 1.0;
@@ -455,6 +455,33 @@ fn with_first_steps_done() -> Kit {
     harness.state_mut().editor_mut().change(label, change).unwrap();
     settle(&mut harness);
     harness
+}
+
+#[test]
+fn the_first_steps_leave_scenes_alone_that_were_asked_for_by_name() {
+    let host = TestHost::new();
+    std::fs::write(host.path("settings.json"), r#"{"language": "english"}"#).unwrap();
+    std::fs::write(host.path("a.toml"), "format = \"catoptric/1\"\n").unwrap();
+    let starts = [
+        StartDocument::Example("four-bodies".to_owned()),
+        StartDocument::File(host.path("a.toml")),
+        StartDocument::Link("nothing".to_owned()),
+    ];
+    for start in starts {
+        let mut harness = studio_with(host.clone(), start.clone());
+        settle(&mut harness);
+        assert!(harness.query_by_label("First steps").is_none(), "{start:?}");
+        assert!(!harness.state().settings().is_hint_dismissed, "they come with another start");
+    }
+    let mut harness = studio_with(host.clone(), StartDocument::Last);
+    settle(&mut harness);
+    assert!(harness.query_by_label("First steps").is_some());
+    harness.state_mut().run(FileCommand::OpenFile(host.path("a.toml")));
+    wait_until(&mut harness, "the file is open", |studio| studio.editor().title() == "a.toml");
+    settle(&mut harness);
+    assert!(harness.query_by_label("First steps").is_none());
+    choose(&mut harness, "Help", "First steps");
+    assert!(harness.query_by_label("Dismiss the hint").is_some(), "asked for, they come at once");
 }
 
 #[test]

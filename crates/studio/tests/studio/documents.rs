@@ -8,6 +8,7 @@ mod outside;
 mod recovery;
 
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 use catoptric_editor::Label;
 use catoptric_studio::{
@@ -16,9 +17,9 @@ use catoptric_studio::{
 use egui::accesskit::Role;
 use egui::{ViewportCommand, ViewportEvent, ViewportId};
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
-use crate::kit::{TestHost, studio_with, wait_until};
+use crate::kit::{TestHost, deadline, studio_with, wait_until};
 
 type Kit = Harness<'static, Studio>;
 
@@ -93,17 +94,21 @@ fn tells(harness: &Kit, words: &str) -> bool {
     harness.query_all_by_label_contains(words).next().is_some()
 }
 
+/// All that the window says, for the message of a test that has failed.
+fn told(harness: &Kit) -> Vec<String> {
+    let nodes = harness.root().children_recursive();
+    nodes.filter_map(|node| node.accesskit_node().label().or_else(|| node.accesskit_node().value())).collect()
+}
+
 /// Steps until some text contains these words.
 fn wait_for(harness: &mut Kit, words: &str) {
-    for _ in 0..5000 {
-        if tells(harness, words) {
-            harness.run_steps(2);
-            return;
-        }
+    let deadline = deadline();
+    while !tells(harness, words) {
+        assert!(Instant::now() < deadline, "waited in vain for the words \"{words}\": {:#?}", told(harness));
         harness.step();
         std::thread::sleep(std::time::Duration::from_millis(2));
     }
-    panic!("waited in vain for the words \"{words}\"");
+    harness.run_steps(2);
 }
 
 fn is_saved(studio: &Studio) -> bool {
@@ -127,15 +132,12 @@ fn closes(harness: &mut Kit) -> bool {
 
 /// Steps until the studio itself asks for its window to be closed.
 fn wait_for_close(harness: &mut Kit) {
-    for _ in 0..5000 {
-        let commands = &harness.output().viewport_output[&ViewportId::ROOT].commands;
-        if commands.contains(&ViewportCommand::Close) {
-            return;
-        }
+    let deadline = deadline();
+    while !harness.output().viewport_output[&ViewportId::ROOT].commands.contains(&ViewportCommand::Close) {
+        assert!(Instant::now() < deadline, "the window was not closed: {:#?}", told(harness));
         harness.step();
         std::thread::sleep(std::time::Duration::from_millis(2));
     }
-    panic!("the window was not closed");
 }
 
 fn read(path: &Path) -> String {
@@ -279,7 +281,7 @@ fn looking_around_in_an_example_raises_no_alarm() {
     };
     assert_eq!(title(&mut harness), None, "no mark");
     // Longer than it takes until changes are kept.
-    let start = std::time::Instant::now();
+    let start = Instant::now();
     while start.elapsed() < std::time::Duration::from_millis(900) {
         harness.step();
         std::thread::sleep(std::time::Duration::from_millis(20));

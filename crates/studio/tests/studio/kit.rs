@@ -129,13 +129,18 @@ pub(crate) fn item_at(studio: &Studio, part: ScenePart) -> Item {
     studio.editor().edited().item(part).unwrap()
 }
 
-/// Steps until `condition` holds; panics with `what` when it does not within a minute.
+/// When to give up waiting: long after a loaded machine is done, for nothing here is timed.
+pub(crate) fn deadline() -> Instant {
+    Instant::now() + Duration::from_secs(300)
+}
+
+/// Steps until `condition` holds; panics with `what` when it never does.
 pub(crate) fn wait_until(
     harness: &mut Harness<'static, Studio>,
     what: &str,
     condition: impl Fn(&Studio) -> bool,
 ) {
-    let deadline = Instant::now() + Duration::from_secs(60);
+    let deadline = deadline();
     loop {
         harness.step();
         if condition(harness.state()) {

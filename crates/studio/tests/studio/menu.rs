@@ -1,12 +1,13 @@
 //! The menu bar by keys: F10 and Alt, arrows, Enter, Esc.
 
-use catoptric_studio::{HelpCommand, Studio};
+use catoptric_scene::ShapeKind;
+use catoptric_studio::{HelpCommand, StartDocument, Studio};
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, PointerButton, Popup};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
-use crate::kit::studio;
+use crate::kit::{TestHost, studio, studio_with};
 
 type Kit = Harness<'static, Studio>;
 
@@ -73,12 +74,85 @@ fn an_entry_is_chosen_by_keys_and_the_menu_closes() {
     press(&mut harness, Key::ArrowRight);
     press(&mut harness, Key::ArrowRight);
     press(&mut harness, Key::ArrowDown);
-    assert!(is_menu_open(&harness) && is_focused(&harness, "Add sphere"), "{:?}", focused(&harness));
+    assert!(is_menu_open(&harness) && is_focused(&harness, "Sphere"), "{:?}", focused(&harness));
     press(&mut harness, Key::ArrowDown);
-    assert!(is_focused(&harness, "Add cube"), "{:?}", focused(&harness));
+    assert!(is_focused(&harness, "Cube"), "{:?}", focused(&harness));
     press(&mut harness, Key::Enter);
     assert_eq!((bodies(&harness), is_menu_open(&harness)), (6, false));
-    assert!(harness.query_by_label("Add cone").is_none());
+    assert!(harness.query_by_label("Optics").is_none());
+}
+
+#[test]
+fn what_can_be_added_stands_in_groups_and_is_not_called_add_again() {
+    for (language, add, front, group, lens) in [
+        ("english", "Add", ["Sphere", "Cube", "Cylinder", "Plane", "Light"], "Optics", "Mirror dish"),
+        (
+            "russian",
+            "Добавить",
+            ["Шар", "Куб", "Цилиндр", "Плоскость", "Источник света"],
+            "Оптика",
+            "Вогнутое зеркало",
+        ),
+    ] {
+        // Beside each other, and folded on a telephone.
+        for width in [1280.0, 360.0] {
+            let host = TestHost::new();
+            let text =
+                format!(r#"{{"language": "{language}", "is_hint_dismissed": true, "viewport_samples": 1}}"#);
+            std::fs::write(host.path("settings.json"), text).unwrap();
+            let mut harness = studio_with(host, StartDocument::Example("four-bodies".to_owned()));
+            harness.set_size(egui::vec2(width, 640.0));
+            settle(&mut harness);
+            let menu = harness.state().texts().get("menu-all").to_owned();
+            if width < 500.0 {
+                harness.get_by_label(&menu).click();
+                settle(&mut harness);
+            }
+            harness.get_by_label(add).click();
+            settle(&mut harness);
+            for name in front {
+                assert!(harness.query_by_role_and_label(Role::Button, name).is_some(), "{name}");
+            }
+            harness.get_by_label(group).click();
+            settle(&mut harness);
+            let screen = harness.ctx.content_rect();
+            let dish = harness.get_by_role_and_label(Role::Button, lens);
+            assert!(screen.contains_rect(dish.rect()), "{language} {width}: {} in {screen}", dish.rect());
+            dish.click();
+            settle(&mut harness);
+            assert_eq!((bodies(&harness), is_menu_open(&harness)), (6, false), "{language} {width}");
+        }
+    }
+}
+
+#[test]
+fn every_shape_is_in_a_group_of_the_menu() {
+    let mut harness = opened();
+    let mut found = Vec::new();
+    for group in ["Bodies", "Optics", "Surfaces"] {
+        harness.get_by_label("Add").click();
+        settle(&mut harness);
+        harness.get_by_role_and_label(Role::Button, group).click();
+        settle(&mut harness);
+        for kind in [ShapeKind::SIMPLE.as_slice(), &ShapeKind::PARAMETRIC].concat() {
+            let name = harness.state().texts().get(&format!("name-{}", kind.key())).to_owned();
+            let places = harness.query_all_by_label(&name);
+            // Four bodies are offered in front as well.
+            let count = places.filter(|node| node.accesskit_node().role() == Role::Button).count();
+            let is_front = matches!(name.as_str(), "Sphere" | "Cube" | "Cylinder" | "Plane");
+            if count > usize::from(is_front) {
+                found.push(name);
+            }
+        }
+        press(&mut harness, Key::Escape);
+        press(&mut harness, Key::Escape);
+        assert!(!is_menu_open(&harness));
+    }
+    let bodies = "Sphere Cube Cylinder Cone Paraboloid Plane Tube Ring Bowl Wedge";
+    let surfaces = ["Open cylinder", "Open cone", "Disc", "Rectangle", "Triangle"];
+    let wanted: Vec<&str> =
+        bodies.split(' ').chain(["Lens", "Mirror dish", "Prism"]).chain(surfaces).collect();
+    assert_eq!(found, wanted);
 }
 
 #[test]
@@ -184,7 +258,7 @@ fn folded_menus_are_reached_by_keys_too() {
     press(&mut harness, Key::ArrowDown);
     assert!(is_focused(&harness, "Add"), "{:?}", focused(&harness));
     press(&mut harness, Key::ArrowRight);
-    assert!(is_focused(&harness, "Add sphere"), "{:?}", focused(&harness));
+    assert!(is_focused(&harness, "Sphere"), "{:?}", focused(&harness));
     press(&mut harness, Key::ArrowLeft);
     assert!(is_focused(&harness, "Add"), "{:?}", focused(&harness));
     press(&mut harness, Key::ArrowRight);

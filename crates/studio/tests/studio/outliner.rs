@@ -235,7 +235,9 @@ fn the_buttons_at_the_heads_add() {
     settle(&mut harness);
     harness.get_by_label("Add body").click();
     settle(&mut harness);
-    harness.get_by_label("Add cone").click();
+    harness.get_by_role_and_label(Role::Button, "Bodies").click();
+    harness.run_steps(4);
+    harness.get_by_role_and_label(Role::Button, "Cone").click();
     settle(&mut harness);
     let scene = harness.state().editor().scene();
     assert_eq!((scene.lights.len(), scene.bodies.len(), scene.materials.len()), (3, 6, 6));

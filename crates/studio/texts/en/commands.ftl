@@ -1,4 +1,5 @@
 # The menus.
+menu-bar = Menu bar
 menu-all = Menu
 menu-file = File
 menu-edit = Edit

@@ -113,6 +113,7 @@ first-dismiss = Dismiss the hint
 first-move = Drag a ball with the left mouse button: its reflections follow.
 first-orbit = Drag with the right button: the view turns about its target.
 first-reflection = Select a body and change its reflection coefficient at the right.
+first-step-done = Done: { $step }
 first-done = That is all. Look at the examples next, or into a pixel.
 first-gallery = Examples…
     .tip = A gallery of scenes. Each says what to notice in it.

@@ -72,6 +72,10 @@ refused-range = Some value would leave its limits; nothing was changed.
 
 # Shape
 section-shape = Shape
+shapes-bodies = Bodies
+shapes-optics = Optics
+shapes-surfaces = Surfaces
+shapes-joined = Joined bodies
 shape-sphere = Sphere
     .tip = A ball about its center.
 shape-cube = Cube

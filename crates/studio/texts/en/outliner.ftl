@@ -59,6 +59,7 @@ name-difference = Difference
 name-surface = Surface
 name-group = Group
 name-light = Light
+name-light-source = Light
 name-material = Material
 
 history-opened = Opened

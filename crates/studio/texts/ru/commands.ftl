@@ -1,4 +1,5 @@
 # Меню.
+menu-bar = Строка меню
 menu-all = Меню
 menu-file = Файл
 menu-edit = Правка

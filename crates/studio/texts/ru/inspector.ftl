@@ -71,6 +71,10 @@ refused-range = Какое-то значение вышло бы за преде
 
 # Форма
 section-shape = Форма
+shapes-bodies = Тела
+shapes-optics = Оптика
+shapes-surfaces = Поверхности
+shapes-joined = Составные тела
 shape-sphere = Шар
     .tip = Шар вокруг своего центра.
 shape-cube = Куб

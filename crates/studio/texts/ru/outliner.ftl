@@ -59,6 +59,7 @@ name-difference = Разность
 name-surface = Поверхность
 name-group = Группа
 name-light = Свет
+name-light-source = Источник света
 name-material = Материал
 
 history-opened = Открыто

@@ -3,9 +3,9 @@
 use egui::{FontId, Id, Rect, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2};
 
 use crate::base::theme;
-use crate::base::widgets::line_within;
 use crate::base::widgets::number::HEIGHT;
 use crate::base::widgets::tip::tip_beside;
+use crate::base::widgets::{line_within, text_width};
 
 /// One item of a choice.
 pub(crate) struct ChoiceItem<'a, V> {
@@ -104,10 +104,6 @@ fn lines_of(widths: &[f32], room: f32) -> Vec<std::ops::Range<usize>> {
     }
     lines.push(start..widths.len());
     lines
-}
-
-fn text_width(ui: &Ui, text: &str, font: &FontId) -> f32 {
-    ui.painter().layout_no_wrap(text.to_owned(), font.clone(), egui::Color32::PLACEHOLDER).size().x
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use catoptric_picture::{Development, Picture, PictureFormat, SampleDepth, ToneCu
 use catoptric_scene::Scene;
 use catoptric_tracer::RenderControl;
 use catoptric_tracer::raster::Method;
-use egui::{Context, Label, RichText, Ui};
+use egui::{Align, Button, Context, Label, RichText, Ui};
 
 use super::task::CompareResult;
 use super::{ComparedPicture, ComparisonKey};
@@ -22,6 +22,8 @@ pub(crate) struct CheckState {
     running: Option<CheckTask>,
     /// Of which comparison, and what was found; or why nothing was.
     found: Option<(ComparisonKey, Result<CheckedScene, String>)>,
+    /// Whether that is to be brought into view.
+    is_new: bool,
 }
 
 /// A verdict, and the scene that it names things of.
@@ -95,40 +97,45 @@ fn picture_to_check(found: &CompareResult) -> Option<&Picture> {
     Some(&file.picture)
 }
 
-/// Draws the button, how far the check is, or what it found; nothing where there is no file to check.
-pub(super) fn check_ui(ui: &mut Ui, cx: &Cx<'_>, state: &mut CheckState, found: &Arc<CompareResult>) {
-    if picture_to_check(found).is_none() {
+/// Draws the button of the check or, while it runs, the one that ends it; nothing where there is no file to check.
+pub(super) fn act_ui(ui: &mut Ui, cx: &Cx<'_>, state: &mut CheckState, found: &Arc<CompareResult>) {
+    state.take_result();
+    if picture_to_check(found).is_none() || state.result_of(found).is_some() {
         return;
     }
-    state.take_result();
-    ui.add_space(4.0);
-    ui.label(RichText::new(cx.t("compare-check-head")).strong());
     if state.running.as_ref().is_some_and(|running| running.key == found.key) {
-        let is_cancelled = ui.horizontal(|ui| {
-            ui.spinner();
-            ui.weak(cx.t("compare-checking"));
-            ui.small_button(cx.t("cancel")).accessible_name(cx.t("compare-check-cancel")).clicked()
-        });
-        if is_cancelled.inner {
+        ui.spinner();
+        ui.weak(cx.t("compare-checking"));
+        if ui.button(cx.t("cancel")).accessible_name(cx.t("compare-check-cancel")).clicked() {
             state.running = None;
         }
         return;
     }
-    match state.found.as_ref().filter(|(key, _)| *key == found.key) {
-        Some((_, Ok(checked))) => verdict_ui(ui, cx, checked),
-        Some((_, Err(reason))) => {
+    let fill = theme::palette(ui.visuals()).selection;
+    let button = ui.add(Button::new(cx.t("compare-check")).fill(fill));
+    if button.on_hover_text(cx.texts.tip("compare-check").unwrap_or_default()).clicked() {
+        match CheckTask::start(ui.ctx(), found, cx.view.development) {
+            Ok(running) => state.running = Some(running),
+            Err(error) => state.found = Some((found.key.clone(), Err(error.to_string()))),
+        }
+    }
+}
+
+/// Draws what the check has found, if it is done.
+pub(super) fn result_ui(ui: &mut Ui, cx: &Cx<'_>, state: &mut CheckState, found: &Arc<CompareResult>) {
+    let is_new = std::mem::take(&mut state.is_new);
+    let Some(result) = state.result_of(found) else { return };
+    ui.add_space(4.0);
+    let head = ui.label(RichText::new(cx.t("compare-check-head")).strong());
+    if is_new {
+        head.scroll_to_me(Some(Align::Min));
+    }
+    match result {
+        Ok(checked) => verdict_ui(ui, cx, checked),
+        Err(reason) => {
             let palette = theme::palette(ui.visuals());
             let text = cx.texts.with("compare-check-failed", &[("reason", reason.as_str().into())]);
             ui.add(Label::new(RichText::new(text).color(palette.error)).wrap());
-        }
-        None => {
-            let button = ui.button(cx.t("compare-check"));
-            if button.on_hover_text(cx.texts.tip("compare-check").unwrap_or_default()).clicked() {
-                match CheckTask::start(ui.ctx(), found, cx.view.development) {
-                    Ok(running) => state.running = Some(running),
-                    Err(error) => state.found = Some((found.key.clone(), Err(error.to_string()))),
-                }
-            }
         }
     }
 }
@@ -142,6 +149,11 @@ fn verdict_ui(ui: &mut Ui, cx: &Cx<'_>, checked: &CheckedScene) {
 }
 
 impl CheckState {
+    /// What was found out about this comparison.
+    fn result_of(&self, found: &CompareResult) -> Option<&Result<CheckedScene, String>> {
+        self.found.as_ref().filter(|(key, _)| *key == found.key).map(|(_, result)| result)
+    }
+
     fn take_result(&mut self) {
         let Some(running) = &self.running else { return };
         let result = match running.job.poll() {
@@ -150,6 +162,6 @@ impl CheckState {
             JobStatus::Lost => Err(String::new()),
         };
         self.found = Some((running.key.clone(), result));
-        self.running = None;
+        (self.running, self.is_new) = (None, true);
     }
 }

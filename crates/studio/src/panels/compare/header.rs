@@ -1,7 +1,7 @@
 //! The choice of the two pictures and of their display.
 
 use egui::{Button, ComboBox, Popup, PopupCloseBehavior, RichText, Ui};
-use egui_material_icons::icons::{ICON_IMAGE, ICON_SAVE, ICON_SWAP_HORIZ};
+use egui_material_icons::icons::{ICON_IMAGE, ICON_SWAP_HORIZ};
 
 use super::{CompareMode, CompareSide, CompareState};
 use crate::base::texts::Texts;
@@ -40,13 +40,6 @@ pub(super) fn header_ui(ui: &mut Ui, cx: &mut Cx<'_>, comparing: &mut CompareSta
         modes_ui(ui, cx.texts, comparing);
         ui.add_space(2.0);
         size_ui(ui, cx.texts, &mut comparing.coarseness);
-        let label = format!("{} {}", ICON_SAVE.codepoint, cx.t("compare-save"));
-        let save = ui
-            .add_enabled(comparing.is_found(), Button::new(label))
-            .accessible_name(cx.t("command-compare-save"));
-        if save.on_hover_text(cx.texts.tip("command-compare-save").unwrap_or_default()).clicked() {
-            cx.run(Command::Compare(CompareCommand::Save));
-        }
     });
 }
 

@@ -1,12 +1,15 @@
-//! The panel: what is compared above, the pictures at the left, the numbers at the right.
+//! The panel: what is compared above, the pictures at the left, the numbers at the right, what can be done below.
 
 use std::sync::Arc;
 
-use egui::{Align, Layout, ProgressBar, RichText, ScrollArea, Ui, vec2};
+use egui::{Align, Button, Layout, ProgressBar, RichText, ScrollArea, Ui, vec2};
+use egui_material_icons::icons::ICON_SAVE;
 
 use super::task::{CompareFailure, CompareResult};
 use super::{CompareState, check, facts, header, picture};
 use crate::base::theme;
+use crate::base::widgets::footer::footer_ui;
+use crate::state::command::{Command, CompareCommand};
 use crate::state::context::Cx;
 
 /// The width of the numbers beside the pictures, points.
@@ -15,8 +18,9 @@ const FACTS: f32 = 318.0;
 /// Where the panel is narrower, the numbers stand below, points.
 const NARROW: f32 = 620.0;
 
-/// Draws the comparison.
+/// Draws the comparison: what can be done with it stays in sight below.
 pub(crate) fn compare_ui(ui: &mut Ui, cx: &mut Cx<'_>, comparing: &mut CompareState) {
+    footer_ui(ui, "acts of the comparison", |ui| acts_ui(ui, cx, comparing));
     if ui.available_width() < NARROW {
         // Everything scrolls: the choices alone may be higher than the panel.
         ScrollArea::vertical().id_salt("comparison").auto_shrink(false).show(ui, |ui| {
@@ -24,7 +28,7 @@ pub(crate) fn compare_ui(ui: &mut Ui, cx: &mut Cx<'_>, comparing: &mut CompareSt
             let room = vec2(ui.available_width(), (0.62 * ui.available_width()).min(420.0));
             ui.allocate_ui(room, |ui| picture::picture_ui(ui, cx, comparing, &found));
             facts::facts_ui(ui, cx, &found);
-            check::check_ui(ui, cx, &mut comparing.check, &found);
+            check::result_ui(ui, cx, &mut comparing.check, &found);
         });
         return;
     }
@@ -34,12 +38,28 @@ pub(crate) fn compare_ui(ui: &mut Ui, cx: &mut Cx<'_>, comparing: &mut CompareSt
         ui.allocate_ui_with_layout(vec2(FACTS, height), Layout::top_down(Align::Min), |ui| {
             ScrollArea::vertical().id_salt("numbers").auto_shrink(false).show(ui, |ui| {
                 facts::facts_ui(ui, cx, &found);
-                check::check_ui(ui, cx, &mut comparing.check, &found);
+                check::result_ui(ui, cx, &mut comparing.check, &found);
             });
         });
         ui.allocate_ui_with_layout(ui.available_size(), Layout::top_down(Align::Min), |ui| {
             picture::picture_ui(ui, cx, comparing, &found);
         });
+    });
+}
+
+/// Looks for what is wrong with a file, and saves the report.
+fn acts_ui(ui: &mut Ui, cx: &mut Cx<'_>, comparing: &mut CompareState) {
+    let CompareState { check, found, .. } = comparing;
+    ui.horizontal_wrapped(|ui| {
+        if let Some(found) = found {
+            check::act_ui(ui, cx, check, found);
+        }
+        let label = format!("{} {}", ICON_SAVE.codepoint, cx.t("compare-save"));
+        let save =
+            ui.add_enabled(found.is_some(), Button::new(label)).accessible_name(cx.t("command-compare-save"));
+        if save.on_hover_text(cx.texts.tip("command-compare-save").unwrap_or_default()).clicked() {
+            cx.run(Command::Compare(CompareCommand::Save));
+        }
     });
 }
 

@@ -8,9 +8,11 @@ use egui::{Id, Ui};
 
 use super::sheet::{NumberRow, PropertySheet, RowQuantity, SliderRail, Unit, VectorRow, VectorSpread};
 use super::{InspectorState, header, material, part, parts, place, reshape};
-use crate::base::shapes::shape_choice;
-use crate::base::widgets::choice::{ChoiceItem, choice_ui};
+use crate::base::shapes::{ShapeGroup, shape_choice};
+use crate::base::texts::Texts;
+use crate::base::widgets::icon_choice::{IconChoiceGroup, IconChoiceItem, icon_choice_ui};
 use crate::base::widgets::section::section;
+use crate::panels::outliner::shape_icon;
 use crate::state::context::Cx;
 
 /// The row of a length of a shape, by its message, that of its edit, and its key in scene files.
@@ -163,23 +165,12 @@ pub(super) fn shape_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Body>) {
         if let Some(original) = original {
             header::hint(ui, &texts.with("instance-hint", &[("body", original.into())]));
         }
-        let kinds = ShapeKind::ALL.into_iter().filter(|other| other.is_compound() == kind.is_compound());
-        let choices: Vec<ChoiceItem<'_, ShapeKind>> = kinds
-            .map(|kind| {
-                let key = shape_choice(kind);
-                ChoiceItem {
-                    value: kind,
-                    text: texts.get(key),
-                    tip: texts.tip(key).unwrap_or_default(),
-                    is_enabled: true,
-                }
-            })
-            .collect();
+        let groups = shape_groups(texts, kind.is_compound());
         let is_mixed = sheet.things.iter().any(|body| body.body_shape().kind() != kind);
         let chosen = (!is_mixed).then_some(kind);
         let id = sheet.id.with("shape");
-        let width = ui.available_width();
-        if let Some(kind) = choice_ui(ui, id, texts.get("section-shape"), width, &choices, chosen) {
+        let named = (texts.get("section-shape"), ui.available_width());
+        if let Some(kind) = icon_choice_ui(ui, id, named, &groups, chosen) {
             sheet.change("shape", "edit-shape", |_, body| reshape::reshape(body, kind));
         }
         sheet.note(ui, "shape");
@@ -222,6 +213,23 @@ pub(super) fn shape_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Body>) {
             parts::parts_ui(ui, texts, &sheet.primary.parts);
         }
     });
+}
+
+/// The shapes that a body can have instead of its own, by groups.
+fn shape_groups(texts: &Texts, is_compound: bool) -> Vec<IconChoiceGroup<'_, ShapeKind>> {
+    let item = |kind| {
+        let key = shape_choice(kind);
+        let (text, tip) = (texts.get(key), texts.tip(key).unwrap_or_default());
+        IconChoiceItem { value: kind, icon: shape_icon(kind), text, tip }
+    };
+    let groups = if is_compound { [ShapeGroup::Joined].as_slice() } else { &ShapeGroup::ADDED };
+    let groups = groups.iter();
+    groups
+        .map(|group| IconChoiceGroup {
+            head: texts.get(group.key()),
+            items: group.shapes().map(item).collect(),
+        })
+        .collect()
 }
 
 /// What the bodies leave of light on its way to others; parts do as the whole.

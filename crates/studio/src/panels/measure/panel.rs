@@ -1,4 +1,4 @@
-//! The panel of the measurement: the form at the left, the results at the right.
+//! The panel of the measurement: the form at the left, the results at the right, what can be done below.
 
 use catoptric_lab::measure::Value;
 use egui::{Align, Button, Layout, ProgressBar, RichText, ScrollArea, Ui, vec2};
@@ -8,6 +8,7 @@ use super::form::{MeasureFormError, expected_key};
 use super::number_axis::address_words;
 use super::task::MeasureFailure;
 use super::{MeasureState, results};
+use crate::base::widgets::footer::footer_ui;
 use crate::base::{theme, words};
 use crate::state::command::{Command, MeasureCommand};
 use crate::state::context::Cx;
@@ -19,8 +20,16 @@ const FORM: f32 = 268.0;
 /// Where the panel is narrower, the results stand below the form, points.
 const NARROW: f32 = 600.0;
 
-/// Draws the measurement.
+/// The width of the bar of progress, points.
+const BAR: f32 = 110.0;
+
+/// Draws the measurement: what it is for stays in sight below the form.
 pub(crate) fn measure_ui(ui: &mut Ui, cx: &mut Cx<'_>, measuring: &mut MeasureState) {
+    footer_ui(ui, "acts of the measurement", |ui| acts_ui(ui, cx, measuring));
+    let is_free = !measuring.is_running();
+    let form_ui = |ui: &mut Ui, cx: &mut Cx<'_>, measuring: &mut MeasureState| {
+        ui.add_enabled_ui(is_free, |ui| measuring.form.ui(ui, cx));
+    };
     if ui.available_width() < NARROW {
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
             form_ui(ui, cx, measuring);
@@ -43,12 +52,10 @@ pub(crate) fn measure_ui(ui: &mut Ui, cx: &mut Cx<'_>, measuring: &mut MeasureSt
     });
 }
 
-fn form_ui(ui: &mut Ui, cx: &mut Cx<'_>, measuring: &mut MeasureState) {
-    let is_running = measuring.is_running();
-    ui.add_enabled_ui(!is_running, |ui| measuring.form.ui(ui, cx));
-    ui.add_space(4.0);
+/// Begins or ends the measurement, and saves what was measured; beside it how far it is.
+fn acts_ui(ui: &mut Ui, cx: &mut Cx<'_>, measuring: &MeasureState) {
     ui.horizontal_wrapped(|ui| {
-        if is_running {
+        if measuring.is_running() {
             let label = format!("{} {}", ICON_STOP.codepoint, cx.t("measure-stop"));
             let stop = ui.button(label).accessible_name(cx.t("command-measure-stop"));
             if stop.on_hover_text(cx.texts.tip("command-measure-stop").unwrap_or_default()).clicked() {
@@ -76,8 +83,8 @@ fn form_ui(ui: &mut Ui, cx: &mut Cx<'_>, measuring: &mut MeasureState) {
                 cx.run(Command::Measure(act));
             }
         }
+        progress_ui(ui, cx, measuring);
     });
-    progress_ui(ui, cx, measuring);
 }
 
 /// How far it is, or why nothing was measured.
@@ -88,16 +95,15 @@ fn progress_ui(ui: &mut Ui, cx: &Cx<'_>, measuring: &MeasureState) {
         let is_beside =
             |failure: &&MeasureFailure| matches!(failure, MeasureFailure::Form(MeasureFormError::Number(_)));
         if let Some(failure) = measuring.failure.as_ref().filter(|failure| !is_beside(failure)) {
-            ui.add(egui::Label::new(RichText::new(in_words(cx, failure)).color(palette.error)).wrap());
+            ui.label(RichText::new(in_words(cx, failure)).color(palette.error));
         } else if measuring.measured.as_ref().is_some_and(|measured| !measured.complete) {
-            ui.add(egui::Label::new(RichText::new(cx.t("measure-incomplete")).color(palette.warning)).wrap());
+            ui.label(RichText::new(cx.t("measure-incomplete")).color(palette.warning));
         }
         return;
     };
     let told = running.told();
     let bar = ProgressBar::new(told.done as f32 / told.total.max(1) as f32).desired_height(6.0);
-    ui.add(bar.desired_width(ui.available_width() - 8.0).fill(palette.accent))
-        .accessible_name(cx.t("measure-progress"));
+    ui.add(bar.desired_width(BAR).fill(palette.accent)).accessible_name(cx.t("measure-progress"));
     let arguments = [("done", told.done.into()), ("total", told.total.into())];
     let mut text = match told.total {
         0 => cx.t("measure-warming").to_owned(),
@@ -106,8 +112,7 @@ fn progress_ui(ui: &mut Ui, cx: &Cx<'_>, measuring: &MeasureState) {
     if let Some(left) = told.left {
         text = format!("{text} · {}", cx.texts.with("measure-left", &[("time", words::clock(left).into())]));
     }
-    ui.label(RichText::new(text).color(palette.weak));
-    ui.add(egui::Label::new(RichText::new(cx.t("measure-paused")).color(palette.weak)).wrap());
+    ui.label(RichText::new(text).color(palette.weak)).on_hover_text(cx.t("measure-paused"));
 }
 
 fn in_words(cx: &Cx<'_>, failure: &MeasureFailure) -> String {

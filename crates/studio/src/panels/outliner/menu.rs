@@ -1,31 +1,35 @@
 //! The menus of the outliner.
 
 use catoptric_editor::{Action, Item};
-use catoptric_scene::ShapeKind;
-use egui::{Popup, Response, Style, Ui};
+use egui::{Popup, Response, Style};
+use egui_material_icons::icons;
 
 use super::rows::OutlinerSection;
-use crate::panels::menu_entry::{dress_menu, item};
+use crate::panels::add_menu::add_ui;
+use crate::panels::menu_entry::{dress_menu, item, submenu};
 use crate::state::command::{AddCommand, CameraCommand, Command, JOINS, SelectionCommand};
 use crate::state::context::Cx;
 
 /// The menu of a row, for all that is selected.
 pub(super) fn item_menu(response: &Response, cx: &mut Cx<'_>, thing: Item) {
     let mut commands = Vec::new();
-    Popup::context_menu(response).style(dress_menu as fn(&mut Style)).show(|ui| {
-        ui.set_min_width(220.0);
-        for group in groups(thing) {
-            for command in group {
-                if item(ui, cx.situation(), &command) {
-                    commands.push(command);
+    Popup::context_menu(response)
+        .accessible_name(cx.t("pane-outliner"))
+        .style(dress_menu as fn(&mut Style))
+        .show(|ui| {
+            ui.set_min_width(220.0);
+            for group in groups(thing) {
+                for command in group {
+                    if item(ui, cx.situation(), &command) {
+                        commands.push(command);
+                    }
                 }
+                ui.separator();
             }
-            ui.separator();
-        }
-        if item(ui, cx.situation(), &Command::Edit(Action::Delete)) {
-            commands.push(Command::Edit(Action::Delete));
-        }
-    });
+            if item(ui, cx.situation(), &Command::Edit(Action::Delete)) {
+                commands.push(Command::Edit(Action::Delete));
+            }
+        });
     cx.commands.append(&mut commands);
 }
 
@@ -39,21 +43,24 @@ pub(super) fn part_menu(response: &Response, cx: &mut Cx<'_>) {
         [Action::ShareMaterial, Action::MakeMaterialUnique, Action::MaterialOfWhole].map(edit).into(),
     ];
     let mut commands = Vec::new();
-    Popup::context_menu(response).style(dress_menu as fn(&mut Style)).show(|ui| {
-        ui.set_min_width(220.0);
-        for command in groups.iter().flat_map(|group| group.iter().map(Some).chain([None])) {
-            let Some(command) = command else {
-                ui.separator();
-                continue;
-            };
-            if item(ui, cx.situation(), command) {
-                commands.push(command.clone());
+    Popup::context_menu(response)
+        .accessible_name(cx.t("pane-outliner"))
+        .style(dress_menu as fn(&mut Style))
+        .show(|ui| {
+            ui.set_min_width(220.0);
+            for command in groups.iter().flat_map(|group| group.iter().map(Some).chain([None])) {
+                let Some(command) = command else {
+                    ui.separator();
+                    continue;
+                };
+                if item(ui, cx.situation(), command) {
+                    commands.push(command.clone());
+                }
             }
-        }
-        if item(ui, cx.situation(), &Command::Edit(Action::Delete)) {
-            commands.push(Command::Edit(Action::Delete));
-        }
-    });
+            if item(ui, cx.situation(), &Command::Edit(Action::Delete)) {
+                commands.push(Command::Edit(Action::Delete));
+            }
+        });
     cx.commands.append(&mut commands);
 }
 
@@ -100,7 +107,7 @@ pub(super) fn add_menu(button: &Response, cx: &mut Cx<'_>, section: OutlinerSect
         OutlinerSection::Bodies => {
             let mut commands = Vec::new();
             let popup = Popup::menu(button).style(dress_menu as fn(&mut Style));
-            popup.show(|ui| add_ui(ui, cx, &mut commands, false));
+            popup.show(|ui| add_ui(ui, cx.situation(), &mut commands, false));
             cx.commands.append(&mut commands);
         }
     }
@@ -109,25 +116,19 @@ pub(super) fn add_menu(button: &Response, cx: &mut Cx<'_>, section: OutlinerSect
 /// The menu of the room below the rows.
 pub(super) fn rest_menu(response: &Response, cx: &mut Cx<'_>) {
     let mut commands = Vec::new();
-    Popup::context_menu(response).style(dress_menu as fn(&mut Style)).show(|ui| {
-        add_ui(ui, cx, &mut commands, true);
-        ui.separator();
-        for command in [SelectionCommand::Paste.into(), Command::Edit(Action::SelectAll)] {
-            if item(ui, cx.situation(), &command) {
-                commands.push(command);
+    Popup::context_menu(response)
+        .accessible_name(cx.t("pane-outliner"))
+        .style(dress_menu as fn(&mut Style))
+        .show(|ui| {
+            ui.set_min_width(200.0);
+            let entry = (icons::ICON_ADD, cx.t("menu-add"));
+            submenu(ui, entry, |ui| add_ui(ui, cx.situation(), &mut commands, true));
+            ui.separator();
+            for command in [SelectionCommand::Paste.into(), Command::Edit(Action::SelectAll)] {
+                if item(ui, cx.situation(), &command) {
+                    commands.push(command);
+                }
             }
-        }
-    });
+        });
     cx.commands.append(&mut commands);
-}
-
-fn add_ui(ui: &mut Ui, cx: &Cx<'_>, commands: &mut Vec<Command>, has_more: bool) {
-    ui.set_min_width(200.0);
-    let more = [AddCommand::Light, AddCommand::Material].into_iter().filter(|_| has_more);
-    let shapes = ShapeKind::SIMPLE.into_iter().chain(ShapeKind::PARAMETRIC).map(AddCommand::Body);
-    for command in shapes.chain(more).map(Command::from) {
-        if item(ui, cx.situation(), &command) {
-            commands.push(command);
-        }
-    }
 }

@@ -36,7 +36,7 @@ impl<'a> PlacementView<'a> {
         // Before the first frame, any window will do.
         let any = Rect::from_min_size(egui::Pos2::ZERO, vec2(800.0, 600.0));
         let (rect, visible) = rects.unwrap_or((any, any));
-        let scene_view = SceneView::new(live, rect, (visible, viewport.bar), camera);
+        let scene_view = SceneView::new(viewport.render_scene(live), rect, (visible, viewport.bar), camera);
         let middle = scene_view.at(scene_view.clear.center());
         let reach = camera.position.distance(camera.target);
         let subject = scene_view.body_at(middle).map(|hit| hit.position);

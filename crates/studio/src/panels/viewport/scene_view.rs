@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use catoptric_editor::Item;
-use catoptric_live::Live;
 use catoptric_scene::{Camera, Scene, ScenePart};
 use catoptric_tracer::{RayIntersection, RayOrigin, RenderCamera, RenderScene};
 use egui::{Pos2, Rect, pos2};
@@ -52,12 +51,17 @@ pub(crate) enum PointerTarget {
 }
 
 impl SceneView {
-    /// The picture of `camera` in `rect`, as far as `tile` shows it; a bar reaches so far down from the tile's top, points.
-    pub(crate) fn new(live: &Live, rect: Rect, (tile, bar): (Rect, f32), camera: Camera) -> Self {
+    /// The picture of `camera` in `rect`, with the scene that is hit in it, as far as `tile` shows it; a bar reaches so far down from the tile's top, points.
+    pub(crate) fn new(
+        render_scene: Option<Arc<RenderScene>>,
+        rect: Rect,
+        (tile, bar): (Rect, f32),
+        camera: Camera,
+    ) -> Self {
         /// In small windows the bar may take a part of the picture that cannot be done without.
         const MOST: f32 = 0.4;
         let size = DVec2::new(f64::from(rect.width()), f64::from(rect.height()));
-        let render_scene = live.render_scene().map(|(_, render_scene)| {
+        let render_scene = render_scene.map(|render_scene| {
             let seen = render_scene.camera_for(&camera);
             (render_scene, seen)
         });

@@ -12,8 +12,8 @@ use egui_material_icons::icons::{ICON_360, ICON_EXPOSURE};
 
 use super::compass;
 use crate::base::widgets::number::Unit;
-use crate::base::widgets::paint_icon;
 use crate::base::widgets::slider::SliderField;
+use crate::base::widgets::{icon_ui, paint_icon};
 use crate::base::{shortcut_text, theme};
 use crate::panels::method_chooser::chooser_ui;
 use crate::state::command::{AuditCommand, CameraCommand, Command, DisplayCommand, Tool, ToolCommand};
@@ -174,7 +174,7 @@ fn free_view(ui: &mut Ui, cx: &mut Cx<'_>) {
     let palette = theme::palette(ui.visuals());
     ui.spacing_mut().item_spacing = vec2(6.0, 4.0);
     ui.add_space(4.0);
-    ui.label(ICON_360.rich_text().size(16.0).color(palette.accent));
+    icon_ui(ui, ICON_360, 16.0, palette.accent);
     ui.label(cx.t("viewport-free-badge"));
     let put = ui.button(cx.t("viewport-camera-here"));
     if put.on_hover_text(cx.texts.tip("viewport-camera-here").unwrap_or_default()).clicked() {

@@ -4,13 +4,12 @@ use std::sync::Arc;
 
 use catoptric_platform::time::{Duration, Instant};
 use catoptric_scene::Diagnostics;
-use egui::{
-    Align, Align2, Area, Frame, Id, Label, Layout, Margin, Order, Panel, RichText, Spinner, Ui, vec2,
-};
+use egui::{Align, Align2, Area, Frame, Id, Label, Layout, Margin, Order, Panel, Spinner, Ui, vec2};
 use egui_material_icons::icons;
 
 use super::watch;
 use crate::base::theme;
+use crate::base::widgets::icon_ui;
 use crate::base::words::name_of;
 use crate::shell::studio::Studio;
 use crate::state::layout::{self, Pane};
@@ -75,7 +74,7 @@ pub(crate) fn banner_ui(ui: &mut Ui, studio: &mut Studio) {
     let (mut show, mut dismiss) = (false, false);
     Panel::top("problems banner").frame(frame).show_separator_line(false).show(ui, |ui| {
         ui.horizontal(|ui| {
-            ui.label(RichText::new(icon.codepoint).color(color).size(16.0));
+            icon_ui(ui, icon, 16.0, color);
             ui.add(Label::new(text).truncate());
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 dismiss = ui.button(texts.get("banner-dismiss")).clicked();

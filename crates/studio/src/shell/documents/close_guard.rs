@@ -44,6 +44,9 @@ fn ask(studio: &mut Studio, next: NextDocument) {
 
 /// Goes on to `next`, whatever becomes of the document.
 fn go(context: &Context, studio: &mut Studio, next: NextDocument) {
+    if matches!(next, NextDocument::Show(_) | NextDocument::Example(_)) {
+        studio.first_steps.hold_back();
+    }
     match next {
         NextDocument::New => show_fresh(studio),
         NextDocument::Open(path) => open::begin(context, studio, &path),

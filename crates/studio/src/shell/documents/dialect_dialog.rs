@@ -7,7 +7,7 @@ use super::open;
 use crate::base::texts::Texts;
 use crate::base::words::name_of;
 use crate::shell::studio::Studio;
-use crate::shell::studio::dialogs::{Dialog, DialogFlow, buttons};
+use crate::shell::studio::dialogs::{Dialog, DialogFlow, body_ui, buttons};
 use crate::state::settings::LastScene;
 
 /// A dialog that asks what a miniRT program does otherwise than most.
@@ -58,15 +58,17 @@ impl Dialog for DialectDialog {
         let Some(LastScene::File(path)) = studio.settings.last.clone() else { return DialogFlow::Close };
         let texts = &studio.texts;
         let text = texts.with("dialect-text", &[("name", name_of(&path).into())]);
-        ui.add(Label::new(text).wrap());
-        ui.add_space(8.0);
-        for (is_on, key) in self.rows() {
-            ui.checkbox(is_on, texts.get(key));
-            ui.indent(key, |ui| {
-                ui.add(Label::new(RichText::new(texts.tip(key).unwrap_or_default()).weak()).wrap());
-            });
-            ui.add_space(2.0);
-        }
+        body_ui(ui, |ui| {
+            ui.add(Label::new(text).wrap());
+            ui.add_space(8.0);
+            for (is_on, key) in self.rows() {
+                ui.checkbox(is_on, texts.get(key));
+                ui.indent(key, |ui| {
+                    ui.add(Label::new(RichText::new(texts.tip(key).unwrap_or_default()).weak()).wrap());
+                });
+                ui.add_space(2.0);
+            }
+        });
         match buttons(ui, &[texts.get("dialect-read"), texts.get("cancel")]) {
             Some(0) => {
                 studio.settings.minirt_dialect = self.dialect.to_string();

@@ -33,6 +33,9 @@ pub(crate) fn start(
     if let Some(folder) = studio.host.recovery_folder() {
         studio.documents.autosave = Autosave::start(context, folder);
     }
+    if *start != StartDocument::Last {
+        studio.first_steps.hold_back();
+    }
     match start {
         StartDocument::Example(name) => {
             // Its author meant it traced.

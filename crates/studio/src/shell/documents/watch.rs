@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
-use egui::{Align, Context, Event, Frame, Label, Layout, Margin, Panel, RichText, Ui};
+use egui::{Align, Context, Event, Frame, Label, Layout, Margin, Panel, Ui};
 use egui_material_icons::icons;
 
 use super::{has_unsaved_work, open};
 use crate::base::theme;
+use crate::base::widgets::icon_ui;
 use crate::base::words::name_of;
 use crate::shell::disk::OverwriteRule;
 use crate::shell::studio::Studio;
@@ -67,7 +68,7 @@ pub(super) fn banner_ui(ui: &mut Ui, studio: &mut Studio) {
     let (mut reloads, mut keeps) = (false, false);
     Panel::top("changed outside").frame(frame).show_separator_line(false).show(ui, |ui| {
         ui.horizontal(|ui| {
-            ui.label(RichText::new(icons::ICON_SYNC_PROBLEM.codepoint).color(palette.warning).size(16.0));
+            icon_ui(ui, icons::ICON_SYNC_PROBLEM, 16.0, palette.warning);
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 let tip = |key| texts.tip(key).unwrap_or_default();
                 keeps = ui.button(texts.get("outside-keep")).on_hover_text(tip("outside-keep")).clicked();

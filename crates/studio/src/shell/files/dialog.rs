@@ -20,6 +20,8 @@ use egui_material_icons::icons;
 
 use crate::base::job::{Job, JobStatus};
 use crate::base::texts::Texts;
+use crate::base::theme;
+use crate::base::widgets::icon_ui;
 use crate::base::words::name_of;
 use crate::shell::host::FileQuestion;
 use crate::shell::studio::Studio;
@@ -233,7 +235,8 @@ impl FileDialog {
         }
         for (index, ancestor) in ancestors.iter().enumerate().skip(hidden) {
             if index > hidden {
-                ui.weak(icons::ICON_CHEVRON_RIGHT.codepoint);
+                let color = theme::palette(ui.visuals()).weak;
+                icon_ui(ui, icons::ICON_CHEVRON_RIGHT, 14.0, color);
             }
             let name = ancestor.file_name().unwrap_or(ancestor.as_os_str()).to_string_lossy();
             let name: String = if name.chars().count() > 24 {

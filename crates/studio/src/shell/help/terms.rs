@@ -54,7 +54,12 @@ pub(super) fn terms_ui(ui: &mut Ui, texts: &Texts) {
     ui.add_space(8.0);
     egui::Grid::new("terms").num_columns(2).spacing([16.0, 10.0]).show(ui, |ui| {
         for term in &TERMS {
-            ui.label(sign(term, palette.accent));
+            if term.sign.is_empty() {
+                // An empty label would be read out.
+                ui.allocate_exact_size(egui::Vec2::ZERO, egui::Sense::hover());
+            } else {
+                ui.label(sign(term, palette.accent));
+            }
             ui.vertical(|ui| {
                 ui.spacing_mut().item_spacing.y = 1.0;
                 ui.label(RichText::new(texts.get(term.key)).color(palette.text));

@@ -44,6 +44,8 @@ fn search_ui(ui: &mut Ui, texts: &Texts, manual: &mut ManualWindow, choice: &mut
         .margin(vec2(8.0, 5.0));
     let response = ui.add(edit);
     response.widget_info(|| WidgetInfo::labeled(egui::accesskit::Role::SearchInput, true, name));
+    // Without the sign of the icon.
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_placeholder(name));
     if response.changed()
         && let Some((_, pages)) = &manual.library
     {

@@ -51,7 +51,8 @@ impl SizeFields {
         let response = label(ui, texts, "render-size");
         self.list_ui(ui, texts, choices, response.id);
         ui.end_row();
-        ui.label("");
+        // The cell below the name; an empty label would be read out.
+        ui.allocate_exact_size(egui::Vec2::ZERO, egui::Sense::hover());
         ui.horizontal(|ui| {
             let (width, height) = (texts.get("render-width"), texts.get("render-height"));
             if side_ui(ui, texts, width, &mut choices.width, refused) && choices.keeps_proportions {

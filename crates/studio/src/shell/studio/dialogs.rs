@@ -8,7 +8,8 @@ pub(crate) mod question;
 mod shield;
 
 use egui::{
-    Align, Button, Context, Frame, Key, Layout, Margin, Modal, Modifiers, Popup, RichText, Stroke, Ui,
+    Align, Button, Context, Frame, Key, Layout, Margin, Modal, Modifiers, Popup, RichText, ScrollArea,
+    Stroke, Ui,
 };
 
 use crate::base::texts::Texts;
@@ -17,6 +18,11 @@ use crate::base::thumbnails::Thumbnails;
 use crate::shell::studio::Studio;
 pub(crate) use message::MessageDialog;
 use shield::ClickShield;
+
+/// What a dialog has above and below its body (its title, its buttons and the margins), and the least that is left for
+/// the body, points.
+const BESIDE_BODY: f32 = 150.0;
+const LEAST_BODY: f32 = 60.0;
 
 /// The fate of a dialog after a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -146,6 +152,18 @@ fn show(context: &Context, studio: &mut Studio, opened: &mut DialogSlot, is_top:
         return DialogFlow::Close;
     }
     DialogFlow::Stay
+}
+
+/// Draws the body of a dialog that may be larger than the window: it scrolls, and the buttons below it stay in sight.
+pub(crate) fn body_ui<R>(ui: &mut Ui, body: impl FnOnce(&mut Ui) -> R) -> R {
+    let room = (ui.ctx().content_rect().height() - BESIDE_BODY).max(LEAST_BODY);
+    let width = ui.available_width();
+    let scroll = ScrollArea::both().id_salt("body").max_height(room).max_width(width);
+    let shown = scroll.show(ui, |ui| {
+        ui.set_width(width);
+        body(ui)
+    });
+    shown.inner
 }
 
 /// Whether Enter was pressed: it is then not taken for the default button of the dialog that is being drawn.

@@ -217,9 +217,9 @@ fn a_killed_studio_loses_at_most_the_last_seconds() {
         .unwrap();
     // Long enough for several savings, then at any moment.
     let number = |text: &str| text.split("edit ").nth(1)?.split('"').next()?.parse::<u32>().ok();
-    let deadline = std::time::Instant::now() + std::time::Duration::from_secs(60);
+    let deadline = Instant::now() + std::time::Duration::from_secs(60);
     while kept(&host).first().and_then(|text| number(text)).is_none_or(|edit| edit == 0) {
-        assert!(std::time::Instant::now() < deadline, "nothing is kept");
+        assert!(Instant::now() < deadline, "nothing is kept");
         std::thread::sleep(std::time::Duration::from_millis(20));
     }
     child.kill().unwrap();

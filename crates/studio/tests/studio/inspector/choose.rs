@@ -15,6 +15,7 @@ fn every_shape() {
     ];
     for (name, kind) in shapes {
         let before = scene(&window);
+        click(&mut window, Role::ComboBox, "Shape");
         click(&mut window, Role::RadioButton, &format!("Shape: {name}"));
         assert_eq!(sphere_of(&scene(&window)).shape.kind(), kind);
         holds_as_step(&mut window, &before, "edit-shape");
@@ -248,4 +249,47 @@ fn sections_are_folded_and_stay_so() {
     click(&mut window, Role::DisclosureTriangle, "Place");
     window.run_steps(20);
     assert!(window.query_by_label("Position X").is_some());
+}
+
+#[test]
+fn the_list_of_shapes_is_walked_by_keys() {
+    let mut window = with_body(Shape::SPHERE);
+    let list = |window: &Window| {
+        let node = window.get_by_role_and_label(Role::ComboBox, "Shape");
+        (node.accesskit_node().value().unwrap_or_default(), node.is_focused())
+    };
+    let press = |window: &mut Window, key| {
+        window.key_press(key);
+        window.run_steps(3);
+    };
+    let at = |window: &Window, name: &str| {
+        window.get_by_role_and_label(Role::RadioButton, &format!("Shape: {name}")).is_focused()
+    };
+    window.get_by_role_and_label(Role::ComboBox, "Shape").focus();
+    window.run_steps(2);
+    assert_eq!(list(&window), ("Sphere".to_owned(), true));
+    press(&mut window, Key::Space);
+    assert!(at(&window, "Sphere") && is_chosen(&window, "Shape: Sphere"), "it opens at what is chosen");
+    // Rows of two; heads are passed.
+    for (key, name) in [
+        (Key::ArrowRight, "Cube"),
+        (Key::ArrowDown, "Cone"),
+        (Key::End, "Triangle"),
+        (Key::ArrowDown, "Triangle"),
+        (Key::ArrowUp, "Disc"),
+        (Key::Home, "Sphere"),
+        (Key::ArrowLeft, "Sphere"),
+        (Key::ArrowDown, "Cylinder"),
+    ] {
+        press(&mut window, key);
+        assert!(at(&window, name), "{key:?} to {name}");
+    }
+    press(&mut window, Key::Escape);
+    assert_eq!(list(&window), ("Sphere".to_owned(), true), "the keys are back at the list");
+    assert!(window.query_by_role_and_label(Role::RadioButton, "Shape: Cone").is_none());
+    press(&mut window, Key::Enter);
+    press(&mut window, Key::ArrowRight);
+    press(&mut window, Key::Enter);
+    assert_eq!(sphere_of(&scene(&window)).shape.kind(), ShapeKind::Cube);
+    assert_eq!(list(&window), ("Cube".to_owned(), true));
 }

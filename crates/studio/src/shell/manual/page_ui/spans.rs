@@ -6,6 +6,7 @@ use egui_material_icons::icons;
 
 use crate::base::texts::Texts;
 use crate::base::theme;
+use crate::base::widgets::icon_ui;
 use crate::shell::manual::formula::{Formula, lines};
 use crate::shell::manual::markdown::{ManualLink, TextSpan, TextSpanKind};
 
@@ -79,7 +80,7 @@ fn span_ui(ui: &mut Ui, span: &TextSpan, size: f32, texts: &Texts) -> bool {
         }
         TextSpanKind::Picture(alt) => {
             let words = texts.with("manual-picture", &[("name", alt.as_str().into())]);
-            ui.label(icons::ICON_IMAGE.rich_text().size(15.0).color(palette.weak));
+            icon_ui(ui, icons::ICON_IMAGE, 15.0, palette.weak);
             ui.add(Label::new(RichText::new(words).size(size).italics().color(palette.weak)).wrap());
             return false;
         }

@@ -2,7 +2,7 @@
 
 use egui::{Label, Ui};
 
-use super::{Dialog, DialogFlow, buttons};
+use super::{Dialog, DialogFlow, body_ui, buttons};
 use crate::base::texts::Texts;
 use crate::shell::studio::Studio;
 
@@ -27,7 +27,7 @@ impl Dialog for MessageDialog {
     fn ui(&mut self, ui: &mut Ui, studio: &mut Studio) -> DialogFlow {
         let size = egui::TextStyle::Body.resolve(ui.style()).size;
         let text = crate::base::scripts::job(&self.text, size, ui.visuals().text_color());
-        ui.add(Label::new(text).wrap().selectable(true));
+        body_ui(ui, |ui| ui.add(Label::new(text).wrap().selectable(true)));
         match buttons(ui, &[studio.texts.get("ok")]) {
             Some(_) => DialogFlow::Close,
             None => DialogFlow::Stay,

@@ -4,7 +4,7 @@ use std::rc::{Rc, Weak};
 
 use egui::{Context, Label, Ui};
 
-use super::{Dialog, DialogFlow, buttons};
+use super::{Dialog, DialogFlow, body_ui, buttons};
 use crate::base::texts::Texts;
 use crate::shell::studio::Studio;
 
@@ -43,7 +43,7 @@ impl Dialog for QuestionDialog {
     }
 
     fn ui(&mut self, ui: &mut Ui, studio: &mut Studio) -> DialogFlow {
-        ui.add(Label::new(&self.text).wrap());
+        body_ui(ui, |ui| ui.add(Label::new(&self.text).wrap()));
         let labels: Vec<&str> = self.choices.iter().map(|(label, _)| label.as_str()).collect();
         let Some(pressed) = buttons(ui, &labels) else { return DialogFlow::Stay };
         let (_, act) = self.choices.swap_remove(pressed);
