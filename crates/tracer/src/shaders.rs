@@ -24,6 +24,7 @@ use crate::geometry::shape::solid::CAP_LEVEL;
 use crate::geometry::sphere::BoundingSphere;
 use crate::shaders::constants::{MOST_INTERVALS, MOST_RAYS, ShaderConstants};
 use crate::simd::vector::MOST_LIGHT;
+use crate::transport::surface::NARROW_HIGHLIGHT;
 use crate::transport::texture::solid::SolidNode;
 use crate::transport::tile_rect::TILE;
 
@@ -189,6 +190,7 @@ fn constants(special: &ShaderSpecialization) -> ShaderConstants {
         ("BOX_TINY", BOX_TINY),
         ("BOX_WIDEN", BOX_WIDEN),
         ("SOLID_BORDER", SolidNode::BORDER),
+        ("NARROW_HIGHLIGHT", NARROW_HIGHLIGHT),
         ("LEAST_NORMAL", f32::MIN_POSITIVE),
         ("MOST_LIGHT", MOST_LIGHT),
     ];

@@ -14,5 +14,6 @@ mod numbers;
 mod parity;
 mod physical;
 mod pictures;
+mod precision;
 mod screen;
 mod shaders;

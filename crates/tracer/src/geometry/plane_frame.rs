@@ -22,6 +22,11 @@ impl PlaneFrame {
         Self { origin, up }
     }
 
+    /// A point of it, and its normal of length 1.
+    pub(crate) fn point_and_normal(&self) -> (DVec3, DVec3) {
+        (self.origin, self.up)
+    }
+
     /// How far what reaches so far along `up` is above.
     pub(crate) fn height(&self, along: f64) -> f64 {
         along - self.up.dot(self.origin)

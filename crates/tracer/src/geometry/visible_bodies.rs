@@ -35,6 +35,16 @@ pub(crate) struct BoundingCone {
     minus_depth: f32,
 }
 
+/// Directions around one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct RayCone {
+    /// Of length 1.
+    pub(crate) axis: Vector<f32>,
+    /// Cosine and sine of the angle between the axis and the cone, less than a right angle.
+    pub(crate) cos: f32,
+    pub(crate) sin: f32,
+}
+
 /// How far rounding may lead a ray from a point astray where it comes to a body, meters.
 fn margin(hull: &BoundingHull, point: DVec3) -> f64 {
     4.0 * ROUNDING * (2.0 * hull.extent() + 3.0 * point.abs().max_element())
@@ -75,29 +85,21 @@ impl Geometry {
 }
 
 impl VisibleBodies {
-    /// Keeps of others what some ray may meet whose angle with `axis` has a cosine of at least `cos`, and that starts so far
-    /// on the way from the point.
-    pub(crate) fn keep(
-        &mut self,
-        geometry: &Geometry,
-        all: &Self,
-        (axis, cos): (Vector<f32>, f32),
-        way: f32,
-    ) {
-        let sin = (1.0 - cos * cos).max(0.0).sqrt();
+    /// Keeps of others what some ray of a cone may meet that starts so far on the way from the point.
+    pub(crate) fn keep(&mut self, geometry: &Geometry, all: &Self, cone: RayCone, way: f32) {
         self.bodies.clear();
-        let met = all.bodies.iter().filter(|sight| sight.is_met_by_cone(axis, cos, sin));
+        let met = all.bodies.iter().filter(|sight| sight.is_met_by_cone(cone));
         self.bodies.extend(met.map(|sight| sight.nearer_by(way)));
         self.point = all.point;
         self.planes.clear();
-        let axis = Vec3::from(axis).as_dvec3();
+        let (axis, [cos, sin]) = (Vec3::from(cone.axis).as_dvec3(), [cone.cos, cone.sin].map(f64::from));
         let is_met = |&&plane: &&u32| {
             if geometry.body(plane).is_joined() {
                 return true;
             }
             let level = PlaneFrame::of(geometry.body(plane));
             let rise = level.up.dot(axis);
-            let least_rise = rise * f64::from(cos) - (1.0 - rise * rise).max(0.0).sqrt() * f64::from(sin);
+            let least_rise = rise * cos - (1.0 - rise * rise).max(0.0).sqrt() * sin;
             !level.is_below(all.point) || least_rise < 4.0 * ROUNDING
         };
         self.planes.extend(all.planes.iter().filter(is_met));
@@ -123,13 +125,12 @@ impl BoundingCone {
         Self { minus_depth: self.minus_depth + way * (1.0 + ROUNDING as f32), ..self }
     }
 
-    /// Whether some ray of a cone may meet the body. `cos` and `sin` are those of the angle between the cone and its
-    /// axis, less than a right angle.
-    fn is_met_by_cone(&self, axis: Vector<f32>, cos: f32, sin: f32) -> bool {
+    /// Whether some ray of a cone may meet the body.
+    fn is_met_by_cone(&self, RayCone { axis, cos, sin }: RayCone) -> bool {
         if self.cos <= 0.0 {
             return true;
         }
-        let own_sin = (1.0 - self.cos * self.cos).max(0.0).sqrt();
+        let own_sin = ((1.0 - self.cos) * (1.0 + self.cos)).max(0.0).sqrt();
         axis.dot(Vector::splat(0.0, self.axis)) >= self.cos * cos - own_sin * sin - 4.0 * ROUNDING as f32
     }
 
@@ -224,8 +225,8 @@ pub(crate) mod tests {
             let sphere = stage_body.bounding_sphere();
             prop_assert!(sphere.is_met(eye, vector(direction), reach));
             let axis = (direction + aside).normalize();
-            let cos = axis.dot(direction) as f32 - 1e-6;
-            prop_assert!(sight.is_met_by_cone(vector(axis), cos, (1.0 - cos * cos).sqrt()));
+            let (cos, sin) = (axis.dot(direction) as f32, axis.cross(direction).length() as f32);
+            prop_assert!(sight.is_met_by_cone(RayCone { axis: vector(axis), cos, sin }));
         }
 
         /// The sphere around a body is no larger than it needs to be: near its surface, on no side can it be moved away.
@@ -257,7 +258,8 @@ pub(crate) mod tests {
         assert!(!sight.is_met(at(0.0), 8.9) && sight.is_met(at(0.0), 9.1));
         assert!(sight.nearer_by(5.0).is_met(at(0.0), 4.1));
         let (sin, cos) = 10.0_f32.to_radians().sin_cos();
-        assert!(sight.is_met_by_cone(at(15.0), cos, sin) && !sight.is_met_by_cone(at(16.0), cos, sin));
+        let cone = |degrees: f64| RayCone { axis: at(degrees), cos, sin };
+        assert!(sight.is_met_by_cone(cone(15.0)) && !sight.is_met_by_cone(cone(16.0)));
         // A wall of 8 m × 3 m, 3 m away: its corners are seen under atan(√(4² + 1.5²)/3) = 54.9°.
         let placement = Placement {
             anchor: Anchor::Frame { position: DVec3::new(0.0, 0.0, -3.05), rotation_degrees: DVec3::ZERO },
@@ -305,7 +307,9 @@ pub(crate) mod tests {
         let ahead = |eye: [f32; 3], degrees: f64| {
             let (sin, cos) = degrees.to_radians().sin_cos();
             let mut ahead = VisibleBodies::default();
-            let cone = (vector(DVec3::new(0.0, sin, -cos)), 10.0_f32.to_radians().cos());
+            let axis = vector(DVec3::new(0.0, sin, -cos));
+            let (sin, cos) = 10.0_f32.to_radians().sin_cos();
+            let cone = RayCone { axis, cos, sin };
             ahead.keep(&scene.geometry, &scene.geometry.visible_from(eye).unwrap(), cone, 0.0);
             ahead.planes.len()
         };

@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-use catoptric_scene::{Body, Camera, Projection};
+use catoptric_scene::{Camera, Projection};
 use glam::{DVec2, DVec3, Vec3};
 
 use crate::geometry::bounds::Bounds;
-use crate::geometry::ray::Ray;
-use crate::geometry::space::RenderSpace;
+use crate::geometry::ray::{POINT_ROUNDING, Ray};
+use crate::geometry::visible_bodies::RayCone;
 use crate::simd::Float32;
 use crate::simd::vector::Vector;
 
@@ -30,56 +30,108 @@ pub struct RenderCamera {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct SceneExtent {
     center: DVec3,
+    /// Of the sphere: negative and infinite without bounded bodies, infinite where they may be anywhere.
     radius: f64,
-    /// A point and a normal of each plane.
-    planes: Arc<[(DVec3, DVec3)]>,
+    planes: Arc<[ExtentPlane]>,
+}
+
+/// The surface of a plane in the space of the rays.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct ExtentPlane {
+    pub(crate) point: DVec3,
+    /// Of length 1, out of the half-space.
+    pub(crate) normal: DVec3,
+    /// Whether light is absorbed within: there, every ray has to start where it does.
+    pub(crate) absorbs: bool,
+}
+
+impl ExtentPlane {
+    /// How far a point lies above the surface.
+    fn height_of(&self, point: DVec3) -> f64 {
+        (point - self.point).dot(self.normal)
+    }
 }
 
 impl SceneExtent {
-    /// Around bodies with these bounds, and planes.
-    pub(crate) fn new<'a>(
-        bounds: Bounds,
-        planes: impl Iterator<Item = &'a Body>,
-        space: &RenderSpace,
-    ) -> Self {
-        let (center, radius) = if bounds == Bounds::EMPTY {
-            (DVec3::ZERO, f64::INFINITY)
-        } else {
-            (0.5 * bounds.doubled_center().as_dvec3(), 0.5 * f64::from(bounds.min.distance(bounds.max)))
+    /// Around bodies with these bounds, `None` if they are unknown, and planes.
+    pub(crate) fn new(bounds: Option<Bounds>, planes: impl Iterator<Item = ExtentPlane>) -> Self {
+        let (center, radius) = match bounds {
+            None => (DVec3::ZERO, f64::INFINITY),
+            Some(bounds) if bounds == Bounds::EMPTY => (DVec3::ZERO, f64::NEG_INFINITY),
+            Some(bounds) => {
+                (0.5 * bounds.doubled_center().as_dvec3(), 0.5 * f64::from(bounds.min.distance(bounds.max)))
+            }
         };
-        let plane = |body: &Body| {
-            let frame = body.placement.world_from_body();
-            let normal = frame.matrix3.inverse().transpose() * DVec3::Y;
-            (space.render_from_world(frame.translation), normal.normalize_or(DVec3::Y))
-        };
-        Self { center, radius, planes: planes.map(plane).collect() }
+        Self { center, radius, planes: planes.collect() }
     }
 
-    /// How far a ray from `origin` along the unit vector `direction` can surely go without meeting anything; 0 or
-    /// more.
-    fn free_way(&self, origin: DVec3, direction: DVec3) -> f64 {
-        /// Keeps well away from what rounding of the sphere or a plane could put in the way.
-        const MARGIN: f64 = 0.01;
+    /// How far a ray from `origin` along the unit vector `direction` can surely go without meeting anything, seen through a
+    /// window; 0 or more.
+    fn free_way(&self, origin: DVec3, direction: DVec3, window: ImagePlane) -> f64 {
+        /// So many times the height of the picture are no trouble: 1 % of the way is more where a view is wide.
+        const NEAR_HEIGHTS: f64 = 10.0;
         let way = (self.center - origin).dot(direction) - (1.0 + MARGIN) * self.radius;
-        if way <= 0.0 {
+        if way <= 0.0 || self.planes.iter().any(|plane| plane.absorbs && plane.height_of(origin) < 0.0) {
             return 0.0;
         }
-        let crossings = self
-            .planes
-            .iter()
-            .map(|(point, normal)| (1.0 - MARGIN) * (*point - origin).dot(*normal) / direction.dot(*normal));
-        crossings.filter(|&crossing| crossing >= 0.0).fold(way, f64::min)
+        let crossings = self.planes.iter().map(|plane| {
+            let (height, rise) = ((plane.point - origin).dot(plane.normal), direction.dot(plane.normal));
+            let crossing = height / rise;
+            // From far away 1 % of the way is too far for single precision. There the ray starts before the plane by what is
+            // near in the picture, and by the rounding of the plane's slope out there.
+            let reach = (origin + crossing * direction).abs().max_element();
+            let rounding = 2.0 * f64::from(POINT_ROUNDING) * reach / rise.abs();
+            let near = crossing - NEAR_HEIGHTS * window.height_at(crossing) - rounding;
+            ((1.0 - MARGIN) * height / rise).max(near)
+        });
+        let way = crossings.filter(|&crossing| crossing >= 0.0).fold(way, f64::min);
+        if way.is_finite() { way } else { 0.0 }
     }
 }
 
+/// Keeps well away from what rounding of the sphere or a plane could put in the way, as a share of its size or of the way.
+const MARGIN: f64 = 0.01;
+
 impl SceneExtent {
+    /// How far rays from `origin` can go between directions of length 1, the corners of a convex part of all, one after the
+    /// other, without meeting a plane that is nearer there than at the corners by more than is kept away from it.
+    fn way_between(&self, origin: DVec3, corners: [DVec3; 4]) -> f64 {
+        let ways = self.planes.iter().filter_map(|plane| {
+            let height = plane.height_of(origin);
+            let toward = plane.normal * -height.signum();
+            let steepest = corners.into_iter().map(|corner| corner.dot(toward)).fold(0.0, f64::max);
+            let between = steepest_between(corners, toward);
+            ((1.0 - MARGIN) * between > steepest).then(|| (1.0 - MARGIN) * height.abs() / between)
+        });
+        ways.fold(f64::INFINITY, f64::min)
+    }
+
     /// Whether a plane lies between some of the points.
     fn divide(&self, points: [DVec3; 4]) -> bool {
-        self.planes.iter().any(|(on_plane, normal)| {
-            let sides = points.map(|point| (point - on_plane).dot(*normal) > 0.0);
+        self.planes.iter().any(|plane| {
+            let sides = points.map(|point| plane.height_of(point) > 0.0);
             sides.iter().any(|side| *side != sides[0])
         })
     }
+}
+
+/// The largest product of a vector of length 1 with directions on the sides between corners or within; 0 if it is largest at a
+/// corner.
+fn steepest_between(corners: [DVec3; 4], toward: DVec3) -> f64 {
+    let [a, b, c, d] = corners;
+    let mut is_within = true;
+    let mut most = 0.0;
+    for (from, to) in [(a, b), (b, c), (c, d), (d, a)] {
+        // A side is a part of a great circle, on which the nearest direction is where the vector falls on its plane.
+        let across = from.cross(to);
+        let out = across.dot(toward);
+        is_within &= out * across.dot(a + b + c + d) > 0.0;
+        let nearest = toward - across * (out / across.length_squared());
+        if from.cross(nearest).dot(across) > 0.0 && nearest.cross(to).dot(across) > 0.0 {
+            most = nearest.length().max(most);
+        }
+    }
+    if is_within { 1.0 } else { most }
 }
 
 /// Where primary rays start and point.
@@ -89,6 +141,16 @@ enum ImagePlane {
     Perspective { distance: f64 },
     /// From a window this high, along the view.
     Parallel { height: f64 },
+}
+
+impl ImagePlane {
+    /// The height of the picture at a distance, meters.
+    fn height_at(self, way: f64) -> f64 {
+        match self {
+            Self::Perspective { distance } => way / distance,
+            Self::Parallel { height } => height,
+        }
+    }
 }
 
 impl RenderCamera {
@@ -112,7 +174,7 @@ impl RenderCamera {
     /// single precision a long way would blur what it meets.
     pub fn ray(&self, at: DVec2, size: DVec2) -> Ray {
         let (origin, direction) = self.line(at, size);
-        let start = origin + self.surroundings.free_way(origin, direction) * direction;
+        let start = origin + self.surroundings.free_way(origin, direction, self.window) * direction;
         Ray::from_point(start.as_vec3a(), direction.as_vec3a())
     }
 
@@ -153,13 +215,20 @@ impl RenderCamera {
 
     /// How far all rays within `reach` pixels of `at` can surely go without meeting anything.
     fn free_way(&self, at: DVec2, reach: DVec2, size: DVec2) -> f64 {
-        let corners = [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)].map(DVec2::from);
+        let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(DVec2::from);
         let lines = corners.map(|corner| self.line(at + corner * reach, size));
         if self.surroundings.divide(lines.map(|line| line.0)) {
             return 0.0;
         }
-        let ways = lines.map(|(origin, direction)| self.surroundings.free_way(origin, direction));
-        ways.into_iter().fold(f64::INFINITY, f64::min)
+        let ways =
+            lines.map(|(origin, direction)| self.surroundings.free_way(origin, direction, self.window));
+        let way = ways.into_iter().fold(f64::INFINITY, f64::min);
+        match self.window {
+            ImagePlane::Perspective { .. } => {
+                way.min(self.surroundings.way_between(self.position, lines.map(|line| line.1)))
+            }
+            ImagePlane::Parallel { .. } => way,
+        }
     }
 
     /// Where a point of the world lies in a picture of `size` pixels, and its depth, the distance along the view: the
@@ -280,21 +349,33 @@ impl CameraRays {
         self.way
     }
 
-    /// The middle ray's direction, and the least cosine of the angle between it and another within `reach` pixels.
-    pub(crate) fn cone(&self, [x, y]: [f32; 2]) -> (Vector<f32>, f32) {
+    /// A cone around the middle ray that has in it all rays within `reach` pixels of it.
+    pub(crate) fn cone(&self, [x, y]: [f32; 2]) -> RayCone {
+        // Of a narrow cone, a cosine in single precision keeps no digit: what is known is the chord, 2·sin(angle/2).
+        let corners = [(x, y), (-x, y), (x, -y), (-x, -y)];
+        let chords = corners.map(|(x, y)| self.small(x, y).length_squared());
+        let square = chords.into_iter().fold(0.0, f32::max);
         let axis = Vector::splat(0.0, self.direction.near);
-        let cosines = self.corners([x, y]).map(|corner| axis.dot(corner));
-        (axis, cosines.into_iter().fold(1.0, f32::min))
-    }
-
-    /// The directions of the rays in the corners, so many pixels from the middle.
-    pub(crate) fn corners(&self, [x, y]: [f32; 2]) -> [Vector<f32>; 4] {
-        [(x, y), (-x, y), (x, -y), (-x, -y)].map(|(x, y)| self.rays(x, y).1)
+        RayCone { axis, cos: 1.0 - 0.5 * square, sin: (square * (1.0 - 0.25 * square).max(0.0)).sqrt() }
     }
 
     /// The origins and directions of the rays through the points so many pixels right of and below the middle.
     #[inline(always)]
     pub(crate) fn rays<R: Float32>(&self, x: R, y: R) -> (Vector<R>, Vector<R>) {
+        match &self.steps {
+            RayDifferentials::OfDirection(_) => {
+                let small = self.small(x, y);
+                (self.start.plus_times(small, x.like(self.way)), self.direction.plus(small))
+            }
+            RayDifferentials::OfOrigin([across, down]) => {
+                (self.start.plus(spread(x, y, *across, *down)), self.direction.plus(self.small(x, y)))
+            }
+        }
+    }
+
+    /// How much the direction of a ray differs from that of the middle one.
+    #[inline(always)]
+    fn small<R: Float32>(&self, x: R, y: R) -> Vector<R> {
         match &self.steps {
             RayDifferentials::OfDirection([across, down]) => {
                 // D = direction + δ, and 1/|D| = 1 + c.
@@ -303,14 +384,9 @@ impl CameraRays {
                 let more = delta.dot(middle + middle + delta);
                 let root = (more + 1.0).sqrt();
                 let c = -more / (root * (root + 1.0));
-                let small = (delta * (c + 1.0)).plus_times(middle, c);
-                (self.start.plus_times(small, x.like(self.way)), self.direction.plus(small))
+                (delta * (c + 1.0)).plus_times(middle, c)
             }
-            RayDifferentials::OfOrigin([across, down]) => {
-                let zero = x.like(0.0);
-                let none = Vector::new(zero, zero, zero);
-                (self.start.plus(spread(x, y, *across, *down)), self.direction.plus(none))
-            }
+            RayDifferentials::OfOrigin(_) => Vector::splat(x, [0.0; 3]),
         }
     }
 }

@@ -99,7 +99,7 @@ impl EnvironmentLight {
                 let latitude = y.atan2((x * x + z * z).sqrt()) / PI;
                 // Turned from z to x, the picture's middle, at -z, goes towards -x.
                 image
-                    .at(0.5 + longitude + turn, 0.5 - latitude, AddressMode::Repeats)
+                    .at(0.5 + longitude + turn, 0.5 - latitude, [AddressMode::Repeats, AddressMode::Ends])
                     .map(|part| part * strength)
             }
         }

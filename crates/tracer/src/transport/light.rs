@@ -65,14 +65,20 @@ impl RenderLight {
         sample: &Sample2D<W>,
     ) -> (Vector<W::R>, W::R, W::R) {
         let (zero, one) = (d.like(0.0), d.like(1.0));
-        let square = d.like(self.radius) * self.radius;
-        let least = (one - square / (d * d)).max(zero).sqrt();
-        let cos = one - sample.second * (one - least);
-        let sin = ((one - cos) * (one + cos)).max(zero).sqrt();
+        let radius = d.like(self.radius);
+        let sin_of_cone = (radius / d).min(one);
+        let square = sin_of_cone * sin_of_cone;
+        let least = (one - square).sqrt();
+        // 1 - cos, of which a cosine in single precision keeps no digit below an angle of 2⋅10⁻⁴.
+        let inverse = one / (one + least);
+        let versine = sample.second * square * inverse;
+        let cos = one - versine;
+        let sin = (versine * (one + cos)).sqrt();
         let (right, up) = frame(to_middle);
         let direction = to_middle * cos + right * (sin * sample.cos) + up * (sin * sample.sin);
-        let before = d * cos - (square - d * d * sin * sin).max(zero).sqrt();
-        (mend_unit(direction), before.max(zero), d.like(2.0) / (one + least))
+        let beside = d * sin;
+        let before = d * cos - ((radius - beside) * (radius + beside)).max(zero).sqrt();
+        (mend_unit(direction), before.max(zero), inverse * 2.0)
     }
 
     /// A(d)·I_j at the distance `d` > 0.

@@ -7,7 +7,7 @@ pub(crate) mod subset;
 
 use std::sync::{Arc, OnceLock};
 
-use catoptric_scene::{Body, Camera, Scene, Shape, Tracing};
+use catoptric_scene::{Camera, Scene, Shape, Tracing};
 use glam::{DVec3, Vec3, Vec3A};
 use rayon::prelude::*;
 
@@ -16,12 +16,13 @@ use crate::geometry::body::double::Bodies64;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::bvh::entry::BuildEntry;
 use crate::geometry::joined::JoinedBodies;
+use crate::geometry::plane_frame::PlaneFrame;
 use crate::geometry::ray::Ray;
 use crate::geometry::space::RenderSpace;
 use crate::geometry::visible_bodies::VisibleBodies;
 use crate::geometry::{Accelerator, AcceleratorChoice, Geometry};
 use crate::simd::wide::SimdLevel;
-use crate::transport::camera::{RenderCamera, SceneExtent};
+use crate::transport::camera::{ExtentPlane, RenderCamera, SceneExtent};
 pub(crate) use crate::transport::color::linear_rgb;
 use crate::transport::environment::EnvironmentLight;
 use crate::transport::light::RenderLight;
@@ -89,23 +90,32 @@ pub enum SceneBuildError {
     },
 }
 
-/// Bounds outside of which rays from the eye may start nearer to the bodies: none, where light is absorbed on the way there,
-/// within a plane, or where what has no end is more than a plane of the scene.
-fn bounds_of_free_ways(bounds: Bounds, geometry: &Geometry, materials: &[RenderMaterial]) -> Bounds {
-    let is_in_the_way = |index: u32| {
-        let body = geometry.body(index);
-        let absorbs = materials.get(body.material as usize).is_some_and(RenderMaterial::absorbs);
-        let is_member = geometry.numbers.get(index as usize).is_none_or(|&at| at >= geometry.members.first);
-        absorbs || is_member || body.is_joined()
-    };
-    if geometry.planes().any(is_in_the_way) { Bounds::EMPTY } else { bounds }
-}
-
-/// The planes that are bodies of the scene.
-fn planes_of<'s>(geometry: &Geometry, scene: &'s Scene) -> impl Iterator<Item = &'s Body> {
-    let places = geometry.planes().filter_map(|index| geometry.numbers.get(index as usize));
-    let bodies = places.filter_map(|&place| scene.bodies.get(place as usize));
-    bodies.filter(|body| body.shape == Shape::Plane)
+/// Where rays from the eye may meet something: within the bounds of the bodies that have some, and at planes; anywhere if what
+/// has no end is joined of others.
+fn extent_of(
+    bounds: Bounds,
+    geometry: &Geometry,
+    materials: &[RenderMaterial],
+    scene: &Scene,
+) -> SceneExtent {
+    let are_planes = geometry.planes().all(|index| !geometry.body(index).is_joined());
+    let planes = geometry.planes().map(|index| {
+        let kept = geometry.body(index);
+        let number = geometry.numbers.get(index as usize).copied().unwrap_or(u32::MAX);
+        let absorbs = materials.get(kept.material as usize).is_some_and(RenderMaterial::absorbs);
+        // Of members of groups, there is only what is kept of them.
+        let own = scene.bodies.get(number as usize).filter(|body| body.shape == Shape::Plane);
+        let (point, normal) = own.map_or_else(
+            || PlaneFrame::of(kept).point_and_normal(),
+            |body| {
+                let frame = body.placement.world_from_body();
+                let normal = frame.matrix3.inverse().transpose() * DVec3::Y;
+                (geometry.space.render_from_world(frame.translation), normal.normalize_or(DVec3::Y))
+            },
+        );
+        ExtentPlane { point, normal, absorbs }
+    });
+    SceneExtent::new(are_planes.then_some(bounds), planes)
 }
 
 impl RenderScene {
@@ -185,11 +195,7 @@ impl RenderScene {
             numbers,
             members,
         };
-        let surroundings = SceneExtent::new(
-            bounds_of_free_ways(bounds, &geometry, &materials),
-            planes_of(&geometry, scene),
-            &space,
-        );
+        let surroundings = extent_of(bounds, &geometry, &materials, scene);
         let render_scene = Self {
             geometry,
             is_full: materials.iter().any(RenderMaterial::is_full)

@@ -65,9 +65,19 @@ const SQRT_HALF: u32 = 0x3f3504f3u;
 fn phong_highlight(to_viewer: vec3<f32>, to_light: vec3<f32>, normal: vec3<f32>, shininess: f32) -> f32 {
     let cos = min(2.0 * dot(normal, to_light) * dot(normal, to_viewer) - dot(to_light, to_viewer), 1.0);
     if cos > 0.0 && shininess * (1.0 - cos) < INVISIBLE {
+        if shininess > NARROW_HIGHLIGHT {
+            return narrow_highlight(to_viewer, to_light, normal, shininess);
+        }
         return exponential(logarithm(cos) * shininess);
     }
     return 0.0;
+}
+
+// Of large exponents: the cosine is 1 - s with s = |R̂ - Ŝ|²/2.
+fn narrow_highlight(to_viewer: vec3<f32>, to_light: vec3<f32>, normal: vec3<f32>, shininess: f32) -> f32 {
+    let apart = normal * (2.0 * dot(normal, to_light)) - (to_light + to_viewer);
+    let s = dot(apart, apart) * 0.5;
+    return exponential(-s * (1.0 + s * (0.5 + s / 3.0)) * shininess);
 }
 
 // ln x for normal x > 0.

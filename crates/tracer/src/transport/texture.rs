@@ -49,7 +49,7 @@ impl ImageTexture {
 
     fn color(&self, shape: CanonicalShape, point: [f32; 3]) -> [f32; 3] {
         let PicturePlace { u, v, repeats } = shape.kind.solid().picture_place(shape.cone_ratio, point);
-        self.0.at(u, v, if repeats { AddressMode::Repeats } else { AddressMode::Ends })
+        self.0.at(u, v, repeats.map(|repeats| if repeats { AddressMode::Repeats } else { AddressMode::Ends }))
     }
 }
 

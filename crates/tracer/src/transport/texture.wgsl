@@ -3,8 +3,8 @@
 struct Place {
     u: f32,
     v: f32,
-    // Whether the picture goes on from its other edge beside it.
-    repeats: bool,
+    // Whether the picture goes on from its other edge beside it, and above and below it.
+    repeats: vec2<bool>,
 }
 
 // The color of a body, but for its pattern, at a point of its own frame: below 0 stands a picture.
@@ -18,13 +18,13 @@ fn color_at(color: vec3<f32>, body: u32, in_body: vec3<f32>) -> vec3<f32> {
 
 // A square as wide as 2, seen from its front.
 fn flat_place(right: f32, down: f32) -> Place {
-    return Place(0.5 + 0.5 * right, 0.5 + 0.5 * down, false);
+    return Place(0.5 + 0.5 * right, 0.5 + 0.5 * down, vec2(false));
 }
 
 // Where a point of a body's surface lies in the picture: its middle is where z is largest, seen upright from outside.
 fn texture_place(kind: u32, ratio: f32, point: vec3<f32>) -> Place {
     if HAS_PLANES && kind == PLANE {
-        return Place(point.x, fract(point.z), true);
+        return Place(point.x, fract(point.z), vec2(true));
     }
     if HAS_CUBES && kind == CUBE {
         let far = abs(point);
@@ -47,13 +47,13 @@ fn texture_place(kind: u32, ratio: f32, point: vec3<f32>) -> Place {
         if point.y <= TEXTURE_LEVEL {
             return flat_place(point.x, -point.z);
         }
-        return Place(around, 1.0 - point.y, true);
+        return Place(around, 1.0 - point.y, vec2(true, false));
     }
     if HAS_PARABOLOIDS && kind == PARABOLOID {
         if point.y >= 1.0 - TEXTURE_LEVEL {
             return flat_place(point.x, point.z);
         }
-        return Place(around, 1.0 - sqrt(max(point.y, 0.0)), true);
+        return Place(around, 1.0 - sqrt(max(point.y, 0.0)), vec2(true, false));
     }
-    return Place(around, 0.5 - angle_of(point.y, length(point.xz)) / PI, true);
+    return Place(around, 0.5 - angle_of(point.y, length(point.xz)) / PI, vec2(true, false));
 }

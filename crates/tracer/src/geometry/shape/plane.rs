@@ -67,7 +67,7 @@ impl Solid for HalfSpace {
     }
 
     fn picture_place(&self, _ratio: f32, [x, _, z]: [f32; 3]) -> PicturePlace {
-        PicturePlace { u: x, v: z.rem_euclid(1.0), repeats: true }
+        PicturePlace { u: x, v: z.rem_euclid(1.0), repeats: [true, true] }
     }
 
     fn profile(&self, _ratio: f64, _fineness: u32) -> Option<Vec<Vec<RevolutionRing>>> {

@@ -47,19 +47,19 @@ pub(crate) trait Solid {
 pub(crate) struct PicturePlace {
     pub(crate) u: f32,
     pub(crate) v: f32,
-    /// Whether the picture goes on from its other edge beside it.
-    pub(crate) repeats: bool,
+    /// Whether the picture goes on from its other edge beside it, and above and below it.
+    pub(crate) repeats: [bool; 2],
 }
 
 impl PicturePlace {
     /// In a square as wide as 2, seen from its front.
     pub(crate) fn flat(right: f32, down: f32) -> Self {
-        Self { u: 0.5 + 0.5 * right, v: 0.5 + 0.5 * down, repeats: false }
+        Self { u: 0.5 + 0.5 * right, v: 0.5 + 0.5 * down, repeats: [false, false] }
     }
 
     /// In a picture wrapped around the Y axis, its middle where z is largest.
     pub(crate) fn around([x, _, z]: [f32; 3], v: f32) -> Self {
-        Self { u: 0.5 + x.atan2(z) / std::f32::consts::TAU, v, repeats: true }
+        Self { u: 0.5 + x.atan2(z) / std::f32::consts::TAU, v, repeats: [true, false] }
     }
 }
 

@@ -24,13 +24,17 @@ struct SphereSample {
 // A point of the ball as it is seen from a distance `d` > 0 in a direction; all directions to the ball are as likely
 // (P. Shirley, C. Wang, K. Zimmerman 1996).
 fn sample_sphere(light: Light, to_middle: vec3<f32>, d: f32, thrown: Sample2D) -> SphereSample {
-    let square = light.radius * light.radius;
-    let least = sqrt(max(1.0 - min(square / max(d * d, LEAST_NORMAL), 1.0), 0.0));
-    let cos = 1.0 - thrown.second * (1.0 - least);
-    let sin = sqrt(max((1.0 - cos) * (1.0 + cos), 0.0));
+    let sin_of_cone = min(light.radius / d, 1.0);
+    let square = sin_of_cone * sin_of_cone;
+    let least = sqrt(1.0 - square);
+    // 1 - cos, of which a cosine in single precision keeps no digit below an angle of 2⋅10⁻⁴.
+    let versine = thrown.second * (square / (1.0 + least));
+    let cos = 1.0 - versine;
+    let sin = sqrt(versine * (1.0 + cos));
     let across = frame_of(to_middle);
     let direction = to_middle * cos + across.right * (sin * thrown.cos) + across.up * (sin * thrown.sin);
-    let before = d * cos - sqrt(max(square - d * d * sin * sin, 0.0));
+    let beside = d * sin;
+    let before = d * cos - sqrt(max((light.radius - beside) * (light.radius + beside), 0.0));
     return SphereSample(mend_unit(direction), max(before, 0.0), 2.0 / (1.0 + least));
 }
 

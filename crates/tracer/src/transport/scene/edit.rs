@@ -13,12 +13,12 @@ use crate::geometry::canonical::CanonicalBody;
 use crate::geometry::ray::NO_BODY;
 use crate::geometry::space::RenderSpace;
 use crate::geometry::sphere::BoundingSphere;
-use crate::transport::camera::{RenderCamera, SceneExtent};
+use crate::transport::camera::RenderCamera;
 use crate::transport::color::linear_rgb;
 use crate::transport::environment::EnvironmentLight;
 use crate::transport::light::RenderLight;
 use crate::transport::scene::log::SceneChanges;
-use crate::transport::scene::{RenderScene, bounds_of_free_ways, planes_of};
+use crate::transport::scene::{RenderScene, extent_of};
 use crate::transport::surface::material::RenderMaterial;
 use crate::transport::texture::solid::SolidNode;
 
@@ -113,9 +113,7 @@ impl RenderScene {
                 });
                 bvh.refit(path, boxes.fold(Bounds::EMPTY, Bounds::union));
             }
-            let bounds = bounds_of_free_ways(bvh.bounds(), &self.geometry, &self.materials);
-            let surroundings =
-                SceneExtent::new(bounds, planes_of(&self.geometry, after), &self.geometry.space);
+            let surroundings = extent_of(bvh.bounds(), &self.geometry, &self.materials, after);
             self.camera = RenderCamera::new(&after.camera, surroundings, self.geometry.space.origin);
         }
         self.log.add(changes);

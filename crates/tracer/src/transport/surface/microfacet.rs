@@ -23,10 +23,14 @@ pub(crate) fn sample_visible_normal<W: Width>(
     // The facets stretched to a half-sphere.
     let view = Vector::new(right.dot(to_viewer) * alpha, up.dot(to_viewer) * alpha, normal.dot(to_viewer));
     let view = view.normalize_or(Vector::new(zero, zero, one));
-    let z = (one - sample.second) * (one + view.z) - view.z;
-    let across = (one - z * z).max(zero).sqrt();
-    let cap = Vector::new(across * sample.cos, across * sample.sin, z) + view;
-    let facet = right * (cap.x * alpha) + up * (cap.y * alpha) + normal * cap.z.max(zero);
+    // A point of the cap has the height z = lift - view.z. Its distance from the axis is √((1 - z)·(1 + z)), where neither
+    // factor is a difference of near numbers: 1 - z = second·(1 + view.z), and 1 - view.z² is known from x and y.
+    let from_pole = (one + view.z).max(zero);
+    let lift = (one - sample.second) * from_pole;
+    let flat = view.x.times_plus(view.x, view.y * view.y);
+    let across = (sample.second * from_pole.times_plus(lift, flat)).sqrt();
+    let cap = Vector::new(across.times_plus(sample.cos, view.x), across.times_plus(sample.sin, view.y), lift);
+    let facet = right * (cap.x * alpha) + up * (cap.y * alpha) + normal * cap.z;
     facet.normalize_or(normal)
 }
 
@@ -122,14 +126,94 @@ fn ggx_density<R: Float32>(normal: Vector<R>, half: Vector<R>, alpha: R) -> R {
     square / (spread * spread)
 }
 
-/// Two unit vectors across a third (T. Duff et al. 2017, Building an orthonormal basis, revisited).
+/// A pole and two vectors across it, all of length 1: the frame that [`frame`] carries to other axes.
+const POLE_FRAME: [[f32; 3]; 3] = {
+    const PART: f32 = 1.0 / 15.0;
+    [
+        [2.0 * PART, 10.0 * PART, 11.0 * PART],
+        [14.0 * PART, -5.0 * PART, 2.0 * PART],
+        [5.0 * PART, 10.0 * PART, -10.0 * PART],
+    ]
+};
+
+/// Two unit vectors across a third: those of a fixed pole, mirrored so that the pole comes to lie opposite the axis (A. S.
+/// Householder 1958, Unitary triangularization of a nonsymmetric matrix).
+///
+/// They turn continuously with the axis, else the samples of a pixel would be two sets, each turned another way, and not
+/// one that is spread evenly. No frames can do so everywhere: these are torn at the direction opposite the pole. It is
+/// along no axis, and of the normals and the directions to lights those are seldom seen that point down and away from the
+/// viewer. Within an angle ε of it, rounding tilts the frame by up to about 10⁻⁷/ε.
 #[inline(always)]
 pub(crate) fn frame<R: Float32>(axis: Vector<R>) -> (Vector<R>, Vector<R>) {
-    let one = axis.x.like(1.0);
-    // Not by the sign of a zero, which graphics cards need not keep.
-    let sign = R::select(axis.z.lt(axis.z.like(0.0)), -one, one);
-    let a = -(one / (sign + axis.z));
-    let b = axis.x * axis.y * a;
-    let right = Vector::new(one + sign * axis.x * axis.x * a, sign * b, -(sign * axis.x));
-    (right, Vector::new(b, sign + axis.y * axis.y * a, -axis.y))
+    let [pole, right, up] = POLE_FRAME;
+    let half = axis.plus_all(pole);
+    let scale = half.x.like(-2.0) / half.length_squared().max(half.x.like(f32::MIN_POSITIVE));
+    let mirrored = |side: [f32; 3]| {
+        let side = Vector::splat(half.x, side);
+        side.plus_times(half, half.dot(side) * scale)
+    };
+    (mirrored(right), mirrored(up))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::simd::scalar::ScalarWidth;
+
+    /// The directions of a sphere, spread evenly, but for those near the one where frames are torn.
+    fn axes() -> impl Iterator<Item = Vector<f32>> {
+        const COUNT: u16 = 5000;
+        let pole = Vector::new(POLE_FRAME[0][0], POLE_FRAME[0][1], POLE_FRAME[0][2]);
+        (0..COUNT)
+            .map(|index| {
+                let z = 1.0 - (2.0 * f32::from(index) + 1.0) / f32::from(COUNT);
+                let (sin, cos) = (f32::from(index) * 2.399_963_2).sin_cos();
+                let across = (1.0 - z * z).sqrt();
+                Vector::new(across * cos, across * sin, z)
+            })
+            .filter(move |axis| axis.dot(pole) > -0.98)
+    }
+
+    #[test]
+    fn frames_are_square_and_turn_with_their_axes() {
+        const STEP: f32 = 1e-3;
+        for axis in axes() {
+            let (right, up) = frame(axis);
+            for (found, exact) in [
+                (right.length_squared(), 1.0),
+                (up.length_squared(), 1.0),
+                (right.dot(up), 0.0),
+                (right.dot(axis), 0.0),
+                (up.dot(axis), 0.0),
+            ] {
+                assert!((found - exact).abs() < 3e-6, "{axis:?}: {found}, not {exact}");
+            }
+            for aside in [right, up] {
+                let (other, _) = frame((axis + aside * STEP).normalize_or(axis));
+                // A tenth of a turn about the direction opposite the pole, where it is nearest.
+                let turned = (other - right).length_squared().sqrt();
+                assert!(turned < 12.0 * STEP, "{axis:?}: turned by {turned}");
+            }
+        }
+        // Not even there does a frame have no length.
+        let [x, y, z] = POLE_FRAME[0].map(|part| -part);
+        let (right, up) = frame(Vector::new(x, y, z));
+        assert!((right.length_squared() - 1.0).abs() < 1e-6 && (up.length_squared() - 1.0).abs() < 1e-6);
+    }
+
+    /// Seen straight on, a facet has the slope α·√(u/(1 - u)) (Walter et al., eq. 35), of whatever size.
+    #[test]
+    fn slopes_of_facets_are_exact_however_small() {
+        let normal = Vector::new(0.0, 0.0, 1.0);
+        for alpha in [0.5, 1e-2, 1e-4, 1e-7, 1e-12] {
+            for second in [1e-6_f32, 1e-4, 0.01, 0.3, 0.9, 0.999, 0.999_99, 1.0 - 2.0_f32.powi(-24)] {
+                let sample = Sample2D::<ScalarWidth> { cos: 0.6, sin: 0.8, second };
+                let facet = sample_visible_normal(-normal, normal, alpha, &sample);
+                let found = f64::from(facet.x).hypot(f64::from(facet.y)) / f64::from(facet.z);
+                let u = f64::from(second);
+                let exact = f64::from(alpha) * (u / (1.0 - u)).sqrt();
+                assert!((found / exact - 1.0).abs() < 2e-6, "{alpha}, {second}: {found:e}, not {exact:e}");
+            }
+        }
+    }
 }

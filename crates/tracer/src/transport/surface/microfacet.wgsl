@@ -5,13 +5,17 @@ struct AcrossInterface {
     up: vec3<f32>,
 }
 
-// Two unit vectors across a third (T. Duff et al. 2017, Building an orthonormal basis, revisited).
+// Two unit vectors across a third, those of a fixed pole mirrored so that it comes to lie opposite the axis (A. S.
+// Householder 1958). They turn continuously with the axis, but where that is opposite the pole.
 fn frame_of(axis: vec3<f32>) -> AcrossInterface {
-    let sign = select(1.0, -1.0, axis.z < 0.0);
-    let a = -(1.0 / (sign + axis.z));
-    let b = axis.x * axis.y * a;
-    let right = vec3(1.0 + sign * axis.x * axis.x * a, sign * b, -(sign * axis.x));
-    return AcrossInterface(right, vec3(b, sign + axis.y * axis.y * a, -axis.y));
+    let pole_right = vec3(14.0, -5.0, 2.0) / 15.0;
+    let pole_up = vec3(5.0, 10.0, -10.0) / 15.0;
+    let half = axis + vec3(2.0, 10.0, 11.0) / 15.0;
+    let scale = -2.0 / max(dot(half, half), LEAST_NORMAL);
+    return AcrossInterface(
+        pole_right + half * (dot(half, pole_right) * scale),
+        pole_up + half * (dot(half, pole_up) * scale),
+    );
 }
 
 // A facet that is seen along `-direction`, chosen as often as it is seen (J. Dupuy, A. Benyoub 2023, Sampling visible GGX
@@ -22,10 +26,12 @@ fn sample_visible_normal(direction: vec3<f32>, normal: vec3<f32>, alpha: f32, th
     // The facets stretched to a half-sphere.
     let stretched = vec3(dot(across.right, to_viewer) * alpha, dot(across.up, to_viewer) * alpha, dot(normal, to_viewer));
     let view = normalize_or(stretched, vec3(0.0, 0.0, 1.0));
-    let z = (1.0 - thrown.second) * (1.0 + view.z) - view.z;
-    let wide = sqrt(max(1.0 - z * z, 0.0));
-    let cap = vec3(wide * thrown.cos, wide * thrown.sin, z) + view;
-    let facet = across.right * (cap.x * alpha) + across.up * (cap.y * alpha) + normal * max(cap.z, 0.0);
+    // A point of the cap has the height lift - view.z.
+    let from_pole = max(1.0 + view.z, 0.0);
+    let lift = (1.0 - thrown.second) * from_pole;
+    let wide = sqrt(thrown.second * (dot(view.xy, view.xy) + from_pole * lift));
+    let cap = vec3(wide * thrown.cos + view.x, wide * thrown.sin + view.y, lift);
+    let facet = across.right * (cap.x * alpha) + across.up * (cap.y * alpha) + normal * cap.z;
     return normalize_or(facet, normal);
 }
 

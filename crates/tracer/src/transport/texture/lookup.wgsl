@@ -7,15 +7,18 @@ fn texel(index: u32) -> vec4<u32> {
     return textureLoad(pictures, vec2(index % PICTURES_ACROSS, index / PICTURES_ACROSS), 0);
 }
 
-// A whole number of columns, beyond the edges counted from the other one. The quotient may be off by rounding.
-fn repeated(column: f32, width: f32) -> f32 {
-    let rest = column - floor(column / width) * width;
-    return select(select(rest, rest - width, rest >= width), rest + width, rest < 0.0);
+// Whole numbers of columns or rows, of so many, beyond the edges counted from the other one or the nearest. The quotient may
+// be off by rounding.
+fn indices(at: vec2<f32>, count: u32, repeats: bool) -> vec2<u32> {
+    let size = f32(count);
+    let rest = at - floor(at / size) * size;
+    let repeated = select(select(rest, rest - size, rest >= vec2(size)), rest + size, rest < vec2(0.0));
+    return min(vec2<u32>(max(select(at, repeated, repeats), vec2(0.0))), vec2(count - 1u));
 }
 
 // The color at a place of a picture, from the upper left corner (0, 0) to the lower right one (1, 1). To the left and
-// right lies its other edge, or more of its edge.
-fn image_at(number: u32, u: f32, v: f32, repeats: bool) -> vec3<f32> {
+// right, and above and below, lies its other edge, or more of its edge.
+fn image_at(number: u32, u: f32, v: f32, repeats: vec2<bool>) -> vec3<f32> {
     // The first pixel, width, height.
     let image = texel(number);
     let size = vec2<f32>(image.yz);
@@ -24,12 +27,8 @@ fn image_at(number: u32, u: f32, v: f32, repeats: bool) -> vec3<f32> {
     let y = v * size.y - 0.5;
     let left = floor(x);
     let top = floor(y);
-    var columns = vec2(left, left + 1.0);
-    if repeats {
-        columns = vec2(repeated(columns.x, size.x), repeated(columns.y, size.x));
-    }
-    let column = min(vec2<u32>(max(columns, vec2(0.0))), vec2(image.y - 1u));
-    let row = min(vec2<u32>(max(vec2(top, top + 1.0), vec2(0.0))), vec2(image.z - 1u));
+    let column = indices(vec2(left, left + 1.0), image.y, repeats.x);
+    let row = indices(vec2(top, top + 1.0), image.z, repeats.y);
     let first = vec2(image.x) + row * image.y;
     let a = bitcast<vec3<f32>>(texel(first.x + column.x).xyz);
     let b = bitcast<vec3<f32>>(texel(first.x + column.y).xyz);

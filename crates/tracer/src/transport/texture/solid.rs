@@ -24,6 +24,8 @@ pub(crate) struct SolidNode {
     /// Whether the cells lie along the axes of that frame.
     aligned: bool,
     offset: [f32; 3],
+    /// Rings: how far their middle lies away along -x, in cells, if so far that single precision would blur them, else 0.
+    far: f32,
     /// Parity of the origin's whole cells.
     odd_origin: bool,
     /// The second color.
@@ -39,6 +41,9 @@ pub(crate) struct SolidNode {
 impl SolidNode {
     /// A point on the border of two cells (a floor at y = 0) belongs to the one above.
     pub(crate) const BORDER: f32 = 1e-6;
+    /// A middle of rings that is further away, in cells, is parted into whole rings and the rest: there, the radius in single
+    /// precision would be off by 6⋅10⁻⁵ of a ring, and by more beyond.
+    const FAR_RINGS: f64 = 1024.0;
     /// The most patterns that a material has: two within each, down to the deepest.
     pub(crate) const MOST: usize = (1 << SolidTexture::MAX_DEPTH) - 1;
 
@@ -63,10 +68,18 @@ impl SolidNode {
     fn new(solid: &SolidTexture, space_from_body: &DAffine3, first_of: u8) -> Self {
         let placement = solid.placement().world_from_body();
         let cells_from_space = DAffine3::from_scale(DVec3::splat(solid.size.recip())) * placement.inverse();
-        let transform = cells_from_space * *space_from_body;
+        let mut transform = cells_from_space * *space_from_body;
+        let radius = transform.translation.x.hypot(transform.translation.z);
+        let is_far = solid.kind == SolidKind::Rings && radius > Self::FAR_RINGS;
+        if is_far {
+            // Rings do not change when they turn about their middle: now it lies in the direction -x.
+            let (sin, cos) = (transform.translation.z / radius, transform.translation.x / radius);
+            let turn = DMat3::from_cols(DVec3::new(cos, 0.0, -sin), DVec3::Y, DVec3::new(sin, 0.0, cos));
+            transform = DAffine3 { matrix3: turn * transform.matrix3, translation: radius * DVec3::X };
+        }
         let origin = transform.translation;
-        // Rings have a middle, from which they are counted.
-        let whole = if solid.kind == SolidKind::Rings { DVec3::ZERO } else { origin.floor() };
+        // Near rings are counted from their middle.
+        let whole = if solid.kind == SolidKind::Rings && !is_far { DVec3::ZERO } else { origin.floor() };
         let cells = if solid.kind == SolidKind::Stripes { whole.x } else { whole.element_sum() };
         let cells_from_body = rows(&transform.matrix3);
         Self {
@@ -74,6 +87,7 @@ impl SolidNode {
             cells_from_body,
             aligned: is_diagonal(&cells_from_body),
             offset: (origin - whole).as_vec3().to_array(),
+            far: if is_far { whole.x as f32 } else { 0.0 },
             odd_origin: cells.rem_euclid(2.0) == 1.0,
             color: linear_rgb(solid.color),
             within: [0; 2],
@@ -96,7 +110,7 @@ impl SolidNode {
     /// As the shaders read it: three rows with their offsets, the second color with the parity of the origin's whole
     /// cells, and kind, count, and the places in the row.
     pub(crate) fn rows(&self) -> [[f32; 4]; 6] {
-        let Self { cells_from_body: [x, y, z], offset, odd_origin, color, .. } = *self;
+        let Self { cells_from_body: [x, y, z], offset, far, odd_origin, color, .. } = *self;
         let border = if self.kind == SolidKind::Rings { 0.0 } else { Self::BORDER };
         let row = |[a, b, c]: [f32; 3], axis: usize| [a, b, c, offset[axis] + border];
         let [red, green, blue] = color;
@@ -108,7 +122,7 @@ impl SolidNode {
             row(z, 2),
             [red, green, blue, f32::from(odd_origin)],
             [kind, f32::from(self.count), first, second],
-            [f32::from(self.first_of), 0.0, 0.0, 0.0],
+            [f32::from(self.first_of), far, 0.0, 0.0],
         ]
     }
 
@@ -138,8 +152,7 @@ impl SolidNode {
             }
             SolidKind::Rings => {
                 let cells = self.cells(point, 0.0);
-                let radius = cells.x.times_plus(cells.x, cells.z * cells.z).sqrt() + Self::BORDER;
-                (radius.floor() + origin).to_word().has(1)
+                ((self.radius(cells) + Self::BORDER).floor() + origin).to_word().has(1)
             }
             SolidKind::Stripes => (self.cells(point, Self::BORDER).x.floor() + origin).to_word().has(1),
             SolidKind::Checker => {
@@ -151,6 +164,20 @@ impl SolidNode {
             }
         };
         SecondColor::Where(is_odd)
+    }
+
+    /// How far from the middle of rings a point in cells is, but for the whole rings up to a far body.
+    #[inline(always)]
+    fn radius<R: Float32>(&self, Vector { x, z, .. }: Vector<R>) -> R {
+        let across = z * z;
+        if self.far == 0.0 {
+            return x.times_plus(x, across).sqrt();
+        }
+        // √(q² + z²) - q, as it has no difference of near numbers, with q the whole way along x.
+        let q = x + self.far;
+        let whole = q.times_plus(q, across).sqrt();
+        let beyond = R::select(q.gt(q.like(0.0)), across / (whole + q), whole - q);
+        x + beyond
     }
 
     /// The share of the second color at a point.

@@ -16,6 +16,8 @@ struct Solid {
     second: f32,
     // Whose second color its first one is, by the place plus 1; 0 if it is the material's color.
     first_of: f32,
+    // How far the middle of rings lies away along -x, in cells, if far, else 0.
+    far: f32,
 }
 
 fn solid_rest(cell: f32) -> f32 {

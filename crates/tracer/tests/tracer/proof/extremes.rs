@@ -2,8 +2,8 @@
 
 use catoptric_picture::Picture;
 use catoptric_scene::{
-    Anchor, Body, Color, Falloff, Material, Pattern, PatternSpace, Phong, Placement, Projection, Scene,
-    Shape, SolidTexture,
+    Anchor, Body, Camera, Color, Falloff, Material, MaterialChoice, Pattern, PatternSpace, Phong, Placement,
+    Projection, Scene, Shape, SolidKind, SolidTexture,
 };
 use glam::DVec3;
 
@@ -219,6 +219,87 @@ fn flat_bodies_are_whole() {
             let reference = drawn(&thin(1e-5));
             for thickness in [1e-7, 1e-8, 1e-9] {
                 assert_same_picture(&drawn(&thin(thickness)), &reference, 0.001);
+            }
+        }
+    }
+}
+
+/// A ground with a pattern of cells as large as a fifth of the picture, through a window as high as `height`.
+fn seen_from_afar(kind: SolidKind, ground: &Body, (target, way): (DVec3, DVec3), view: Projection) -> Scene {
+    let height = match view {
+        Projection::Parallel { height } => height,
+        Projection::Perspective { fov_degrees } => way.length() * fov_degrees.to_radians(),
+    };
+    let solid = SolidTexture { size: 0.2 * height, ..SolidTexture::new(kind, Color::BLACK) };
+    let pattern = Pattern { solid: Some(solid), ..Pattern::default() };
+    let material = Phong { pattern, ..glow(Color::WHITE) };
+    let ground = Body { material: MaterialChoice::own(material), ..ground.clone() };
+    let mut scene = scene(vec![ground]);
+    scene.camera = Camera { position: target + way, target, up: DVec3::Y, projection: view };
+    scene
+}
+
+#[test]
+fn patterns_of_planes_are_exact_through_a_camera_far_away() {
+    let level = body(Shape::Plane, DVec3::ZERO, chalk());
+    let tilted = turned(Shape::Plane, v(0.3, -0.2, 0.1), v(20.0, 30.0, -10.0), chalk());
+    let away = v(0.25, 0.3, 1.0).normalize();
+    for kind in [SolidKind::Checker, SolidKind::Stripes, SolidKind::Rings] {
+        for ground in [&level, &tilted] {
+            for far in [10.0, 1e5, 1e6, 1e7, 1e8, 9e8] {
+                let parallel = Projection::Parallel { height: 4.0 };
+                let narrow = Projection::Perspective { fov_degrees: 0.001 };
+                for view in [parallel, narrow] {
+                    // Numbers are exact beside the target of such a view.
+                    let aim = (ground.placement.origin(), far * away);
+                    let mut scene = seen_from_afar(kind, ground, aim, view);
+                    let exact = |scene: &Scene| Oracle::new(scene, 1e-3 * far).picture(60, 40);
+                    assert_same_picture(&picture(&scene, 60, 40), &exact(&scene), 0.002);
+                    // Something that has an end is no help.
+                    scene.bodies.push(block(DVec3::splat(0.2), v(0.0, 0.5, 0.0), chalk()));
+                    assert_same_picture(&picture(&scene, 60, 40), &exact(&scene), 0.004);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn patterns_of_planes_are_exact_far_from_the_origin() {
+    let level = body(Shape::Plane, DVec3::ZERO, chalk());
+    for kind in [SolidKind::Checker, SolidKind::Stripes, SolidKind::Rings, SolidKind::Gradient] {
+        for target in
+            [v(1e3, 0.0, 2e3), v(1e5, 0.0, -3e5), v(-1e6, 0.0, 4e5), v(1e7, 0.0, 0.0), v(7e8, 0.0, 6e8)]
+        {
+            for way in [v(0.5, 3.0, 2.0), v(0.0, 5.0, 0.1)] {
+                for view in
+                    [Projection::Parallel { height: 4.0 }, Projection::Perspective { fov_degrees: 27.0 }]
+                {
+                    let scene = seen_from_afar(kind, &level, (target, way), view);
+                    let exact = Oracle::new(&scene, 1.0).picture(60, 40);
+                    assert_same_picture(&picture(&scene, 60, 40), &exact, 0.003);
+                }
+            }
+        }
+    }
+}
+
+/// The nearest point of a plane may lie in the middle of a tile, and what has an end far behind it.
+#[test]
+fn rays_never_start_beyond_a_plane() {
+    for fov_degrees in [40.0, 90.0, 140.0] {
+        for aside in [0.0, 0.7] {
+            let red = glow(Color::new(1.0, 0.0, 0.0));
+            let mut scene = scene(vec![
+                plane(DVec3::ZERO, 0.0, glow(Color::WHITE)),
+                ball(1.0, v(0.0, -5000.0, 0.0), red),
+            ]);
+            scene.camera = camera(v(0.0, 6.0, 0.0), v(6.0 * aside, 0.0, 0.0), fov_degrees);
+            scene.camera.up = DVec3::NEG_Z;
+            for bodies in [2, 1] {
+                scene.bodies.truncate(bodies);
+                let exact = Oracle::new(&scene, 1.0).picture(40, 30);
+                assert_same_picture(&picture(&scene, 40, 30), &exact, 0.0);
             }
         }
     }

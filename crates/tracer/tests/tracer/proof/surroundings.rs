@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use catoptric_picture::Picture;
 use catoptric_scene::{
-    Anchor, Body, Color, Dielectric, Image, Light, Material, Mirror, Model, Pattern, PatternSpace, Phong,
-    Placement, Scene, Shape, Sky, SolidTexture, Surroundings,
+    Anchor, Body, Camera, Color, Dielectric, Image, Light, Material, Mirror, Model, Pattern, PatternSpace,
+    Phong, Placement, Projection, Scene, Shape, Sky, SolidTexture, Surroundings,
 };
 use glam::{DQuat, DVec3};
 
@@ -181,4 +181,41 @@ fn cells_of_a_body_move_and_turn_with_it_and_keep_their_size() {
     let moved = |space| seen_from(body(space, frame(shift, degrees), DVec3::ONE), turn, shift);
     assert_same_picture(&moved(PatternSpace::Body), &straight, 0.002);
     assert_ne!(moved(PatternSpace::World), straight);
+}
+
+/// A picture of this size on the plane y = 0, which repeats every meter both ways, mixed between the four pixels around a place.
+fn tiled(pixel: impl Fn(i64, i64) -> f64, [width, height]: [i64; 2], at: DVec3) -> f64 {
+    let (x, y) = (at.x * width as f64 - 0.5, at.z * height as f64 - 0.5);
+    let (left, top) = (x.floor(), y.floor());
+    let of = |column: i64, row: i64| pixel(column.rem_euclid(width), row.rem_euclid(height));
+    let row = |row: i64| {
+        let column = left as i64;
+        of(column, row) + (of(column + 1, row) - of(column, row)) * (x - left)
+    };
+    let (upper, lower) = (row(top as i64), row(top as i64 + 1));
+    upper + (lower - upper) * (y - top)
+}
+
+#[test]
+fn a_picture_on_a_plane_has_no_seams() {
+    let pixel = |x: i64, y: i64| ((x * 31 + y * 57 + 11) % 17) as f64 / 16.0;
+    let size = [4, 3];
+    let texture = image(4, 3, |x, y| [pixel(x.into(), y.into()) as f32; 3]);
+    let pattern = Pattern { texture: Some(texture), ..Pattern::default() };
+    let floor = plane(DVec3::ZERO, 0.0, Phong { pattern, ..glow(Color::WHITE) });
+    for corner in [DVec3::ZERO, v(-3.0, 0.0, 2.0), v(1.0, 0.0, -1.0), v(250.0, 0.0, -100.0)] {
+        let mut scene = scene(vec![floor.clone()]);
+        scene.camera = Camera {
+            position: corner + 5.0 * DVec3::Y,
+            target: corner,
+            up: DVec3::NEG_Z,
+            projection: Projection::Parallel { height: 2.5 },
+        };
+        let found = picture(&scene, 40, 40);
+        let exact = Picture::from_fn(40, 40, |x, y| {
+            let place = [x, y].map(|at| 2.5 * ((f64::from(at) + 0.5) / 40.0 - 0.5));
+            [tiled(pixel, size, corner + v(place[0], 0.0, place[1])) as f32; 3]
+        });
+        assert_same_picture(&found, &exact.unwrap(), 0.0);
+    }
 }

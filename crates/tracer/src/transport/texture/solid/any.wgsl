@@ -1,5 +1,18 @@
 // Twin of solid.rs for scenes with any patterns.
 
+// How far from the middle of rings a point in cells is, but for the whole rings up to a far body.
+fn ring_radius(far: f32, x: f32, z: f32) -> f32 {
+    if far == 0.0 {
+        return sqrt(x * x + z * z);
+    }
+    let q = x + far;
+    let whole = sqrt(q * q + z * z);
+    if q > 0.0 {
+        return x + z * z / (whole + q);
+    }
+    return x + (whole - q);
+}
+
 // The share of the second color at a point.
 fn solid_share(solid: Solid, in_body: vec3<f32>) -> f32 {
     let kind = u32(solid.kind);
@@ -13,7 +26,7 @@ fn solid_share(solid: Solid, in_body: vec3<f32>) -> f32 {
     var cell = floor(x);
     if kind == RINGS {
         let z = dot(in_body, solid.z.xyz) + solid.z.w;
-        cell = floor(sqrt(x * x + z * z) + SOLID_BORDER);
+        cell = floor(ring_radius(solid.far, x, z) + SOLID_BORDER);
     }
     return select(0.0, 1.0, solid_rest(cell + solid.odd_origin) == 1.0);
 }
