@@ -180,6 +180,7 @@ impl PartPath {
             material: self.material(body).clone(),
             hidden: body.hidden,
             shadow: body.shadow,
+            contact: body.contact,
             locked: body.locked,
             parts: part.parts.clone(),
             parametric: part.parametric.clone(),

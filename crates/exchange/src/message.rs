@@ -353,6 +353,9 @@ catoptric_scene::messages! {
     LosesSurroundings:
         "the format has no sky and no picture around",
         "в формате нет неба и картинки вокруг";
+    LosesContact:
+        "in the format there always is air between bodies that touch",
+        "в формате между соприкасающимися телами всегда воздух";
     LosesTracing:
         "the format does not say how far rays are followed",
         "формат не говорит, как далеко прослеживать лучи";

@@ -77,6 +77,9 @@ impl SceneText {
         if scene.tracing != Tracing::default() {
             self.lose(Message::LosesTracing);
         }
+        if scene.has_cemented() {
+            self.lose(Message::LosesContact);
+        }
     }
 
     /// The lights that give light, and what the format cannot say about them.

@@ -5,6 +5,7 @@ use glam::{DAffine3, DVec3};
 use crate::compound::{
     BodyPart, BodyShape, Form, Instance, ParametricShape, box_corners, each_part_mut, part_materials,
 };
+use crate::contact::BodyContact;
 use crate::keyed::keyed;
 use crate::material::MaterialChoice;
 use crate::placement::Placement;
@@ -26,6 +27,8 @@ pub struct Body {
     pub hidden: bool,
     /// What of light on its way to others passes the body. Default what its surfaces let through.
     pub shadow: Shadow,
+    /// What lies between the body and others that it touches. Default what those or the scene say.
+    pub contact: BodyContact,
     /// Whether the studio leaves the body as it is. No picture depends on it. Default false.
     pub locked: bool,
     /// What the body is joined of; none unless the shape [has parts](Shape::is_compound).
@@ -80,6 +83,7 @@ impl Body {
             material,
             hidden,
             shadow,
+            contact,
             parts,
             parametric: _,
             instance,
@@ -88,6 +92,7 @@ impl Body {
             && other.placement == *placement
             && other.material == *material
             && other.shadow == *shadow
+            && other.contact == *contact
             && other.parts == *parts
             && other.instance == *instance;
         (*hidden && other.hidden) || (is_same && other.hidden == *hidden)

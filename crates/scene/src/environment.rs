@@ -1,9 +1,10 @@
 //! The environment of the bodies.
 
 use crate::color::Color;
+use crate::contact::Contact;
 use crate::image::Image;
 
-/// The infinitely distant surroundings of the bodies.
+/// The infinitely distant surroundings of the bodies, and what lies between them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Environment {
     /// The color of even surroundings. Default (0.2, 0.35, 0.6).
@@ -16,6 +17,8 @@ pub struct Environment {
     pub rotation_degrees: f64,
     /// A factor of the light of a sky or a picture. Default 1.
     pub strength: f64,
+    /// What lies between bodies that touch and say nothing of it themselves. Default air.
+    pub contact: Contact,
 }
 
 impl Default for Environment {
@@ -26,6 +29,7 @@ impl Default for Environment {
             surroundings: Surroundings::Even,
             rotation_degrees: 0.0,
             strength: 1.0,
+            contact: Contact::Air,
         }
     }
 }

@@ -5,6 +5,7 @@ pub mod bounds;
 mod camera;
 mod color;
 mod compound;
+mod contact;
 mod environment;
 mod examples;
 pub mod format;
@@ -30,6 +31,7 @@ pub use compound::{
     MirrorDish, OpenCone, OpenCylinder, ParametricShape, Prism, Rectangle, Ring, SimplePart, Triangle, Tube,
     Wedge,
 };
+pub use contact::{BodyContact, Contact};
 pub use environment::{Environment, Sky, Surroundings};
 pub use examples::Example;
 pub use format::{

@@ -60,6 +60,8 @@ pub(crate) struct Geometry {
     pub(crate) largest_error_bound: f32,
     /// Whether light passes through any body, or did before an edit.
     pub(crate) has_transparency: bool,
+    /// Whether bodies may be cemented to what they touch.
+    pub(crate) has_cemented: bool,
 }
 
 /// Bodies that a scene has only as parts of others: members of groups, and parts of joined bodies.

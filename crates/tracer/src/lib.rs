@@ -23,8 +23,8 @@ pub use transport::integrator::whitted::WhittedIntegrator;
 pub use transport::integrator::whitted::statistics::PixelStatistics;
 pub use transport::pick::RayIntersection;
 pub use transport::record::{
-    BranchOutcome, BranchRecord, InterfaceRecord, LightContribution, LightTerm, RayKind, RayRecord,
-    ShadowCrossing, ShadowRecord, SurfaceRecord,
+    BranchOutcome, BranchRecord, ContactRecord, InterfaceRecord, LightContribution, LightTerm, RayKind,
+    RayRecord, ShadowCrossing, ShadowRecord, SurfaceRecord,
 };
 pub use transport::render::{
     RenderError, RenderOutput, RenderSettings, render, render_into, render_pixel, render_through,

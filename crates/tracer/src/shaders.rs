@@ -14,7 +14,7 @@ pub(crate) mod specialize;
 
 use catoptric_scene::SolidKind;
 
-use crate::geometry::body::{FILTERS, SHADOWLESS, TRANSPARENT};
+use crate::geometry::body::{CEMENTABLE, CEMENTS, FILTERS, SHADOWLESS, TRANSPARENT};
 use crate::geometry::bvh::{TINY as BOX_TINY, WIDEN as BOX_WIDEN};
 use crate::geometry::query::closest::GRAZING;
 use crate::geometry::ray::{INWARDS, NO_BODY, NO_START, POINT_ROUNDING};
@@ -22,7 +22,7 @@ use crate::geometry::shape::ShapeKind;
 use crate::geometry::shape::slab::TINY as SLAB_TINY;
 use crate::geometry::shape::solid::CAP_LEVEL;
 use crate::geometry::sphere::BoundingSphere;
-use crate::shaders::constants::{MOST_INTERVALS, MOST_RAYS, ShaderConstants};
+use crate::shaders::constants::{MOST_CROSSINGS, MOST_INTERVALS, MOST_RAYS, ShaderConstants};
 use crate::simd::vector::MOST_LIGHT;
 use crate::transport::surface::NARROW_HIGHLIGHT;
 use crate::transport::texture::solid::SolidNode;
@@ -67,6 +67,7 @@ const ALWAYS: &[&str] = &[
     include_str!("transport/camera.wgsl"),
     include_str!("transport/media.wgsl"),
     include_str!("geometry/query.wgsl"),
+    include_str!("geometry/query/cemented.wgsl"),
     include_str!("transport/surface.wgsl"),
     include_str!("transport/shading.wgsl"),
     include_str!("transport/integrator/whitted.wgsl"),
@@ -90,6 +91,7 @@ const PHYSICAL: &[&str] = &[
     include_str!("transport/sampler.wgsl"),
     include_str!("transport/surface/bsdf.wgsl"),
     include_str!("transport/interaction.wgsl"),
+    include_str!("transport/cemented.wgsl"),
     include_str!("transport/spectrum.wgsl"),
     include_str!("transport/integrator/whitted/scatter.wgsl"),
     include_str!("transport/integrator/whitted/physical.wgsl"),
@@ -127,6 +129,10 @@ pub fn shader(special: &ShaderSpecialization) -> String {
         true => include_str!("transport/media/absorption.wgsl"),
         false => include_str!("transport/media/absorption/none.wgsl"),
     });
+    source.push_str(match special.physical.has(PhysicalFeatures::CEMENTED) {
+        true => include_str!("transport/media/shadow_crossings.wgsl"),
+        false => include_str!("transport/media/shadow_crossings/none.wgsl"),
+    });
     source.push_str(walk);
     match special.parts {
         0 => source.push_str(include_str!("geometry/joined/none.wgsl")),
@@ -158,6 +164,8 @@ fn constants(special: &ShaderSpecialization) -> ShaderConstants {
         ("TRANSPARENT", u32::from(TRANSPARENT)),
         ("SHADOWLESS", u32::from(SHADOWLESS)),
         ("FILTERS", u32::from(FILTERS)),
+        ("CEMENTABLE", u32::from(CEMENTABLE)),
+        ("CEMENTS", u32::from(CEMENTS)),
         ("SPHERE", ShapeKind::Sphere as u32),
         ("CUBE", ShapeKind::Cube as u32),
         ("CYLINDER", ShapeKind::Cylinder as u32),
@@ -177,6 +185,7 @@ fn constants(special: &ShaderSpecialization) -> ShaderConstants {
         ("BLOCKS_ACROSS", BLOCKS_ACROSS),
         ("MOST_RAYS", MOST_RAYS),
         ("MOST_INTERVALS", MOST_INTERVALS),
+        ("MOST_CROSSINGS", MOST_CROSSINGS),
         ("MOST_SAMPLES", FRAME_PLACES as u32),
         ("DEPTH", special.depth.max(1)),
         ("MEDIA", special.media.max(1) + u32::from(special.physical.has(PhysicalFeatures::DISPERSES))),
@@ -207,6 +216,7 @@ fn constants(special: &ShaderSpecialization) -> ShaderConstants {
         ("HAS_MEMBERS", special.members),
         ("ASKS_EACH_START", special.asks_each_start),
         ("ABSORBS", special.physical.has(PhysicalFeatures::ABSORBS)),
+        ("CEMENTED", special.physical.has(PhysicalFeatures::CEMENTED)),
     ];
     ShaderConstants { words, numbers, flags }
 }

@@ -1,6 +1,7 @@
 //! How light is carried: the scene as it is traced, surfaces, lights, media, integrators, tiles and the film.
 
 pub(crate) mod camera;
+pub(crate) mod cemented;
 pub(crate) mod color;
 pub(crate) mod control;
 pub(crate) mod counts;

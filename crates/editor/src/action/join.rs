@@ -69,6 +69,7 @@ pub(super) fn join(edited: &EditedScene, selection: &Selection, shape: ShapeKind
         material: first.material.clone(),
         hidden: bodies.iter().all(|body| body.hidden),
         shadow: first.shadow,
+        contact: first.contact,
         locked: false,
         parts: parts.collect(),
         ..Body::default()
@@ -109,7 +110,8 @@ pub(super) fn take_apart(edited: &EditedScene, selection: &Selection) -> Result 
             let name = names.take(if part.name.is_empty() { &whole.name } else { &part.name });
             let material = part.material.as_ref().unwrap_or(&whole.material);
             let body = body_of_part(part, material, frame, name)?;
-            bodies.push(Body { hidden: whole.hidden, shadow: whole.shadow, ..body });
+            let Body { hidden, shadow, contact, .. } = *whole;
+            bodies.push(Body { hidden, shadow, contact, ..body });
         }
         let mut bodies = bodies.into_iter();
         let Some(first) = bodies.next() else { continue };

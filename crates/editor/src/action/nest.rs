@@ -2,7 +2,9 @@
 
 use std::collections::HashSet;
 
-use catoptric_scene::{Body, BodyPart, Form, MaterialChoice, Placement, ScenePart, Shadow, Shape};
+use catoptric_scene::{
+    Body, BodyContact, BodyPart, Form, MaterialChoice, Placement, ScenePart, Shadow, Shape,
+};
 use glam::{DAffine3, DMat3};
 
 use super::ActionError;
@@ -204,7 +206,8 @@ pub(super) fn take_out(scene: &EditedScene, selection: &Selection, place: Option
 pub(super) fn body_as_seen(focus: &FocusedPart<'_>, name: String) -> Result<Body> {
     let frame = focus.path.frame_around(focus.body);
     let body = body_of_part(focus.part, focus.path.material(focus.body), frame, name)?;
-    Ok(Body { hidden: focus.body.hidden, shadow: focus.body.shadow, ..body })
+    let Body { hidden, shadow, contact, .. } = *focus.body;
+    Ok(Body { hidden, shadow, contact, ..body })
 }
 
 /// Takes the part out of its body, and the body away when nothing is left of it.
@@ -329,6 +332,7 @@ pub(super) fn body_of_part(
         material: material.clone(),
         hidden: false,
         shadow: Shadow::default(),
+        contact: BodyContact::default(),
         locked: false,
         parts: part.parts.clone(),
         parametric: part.parametric.clone(),

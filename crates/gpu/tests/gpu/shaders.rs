@@ -15,13 +15,14 @@ pub(crate) fn parsed(source: &str) -> Result<naga::Module, String> {
 }
 
 /// What scenes may have of physical materials.
-const PHYSICAL: [PhysicalFeatures; 7] = [
+const PHYSICAL: [PhysicalFeatures; 8] = [
     PhysicalFeatures::LAWS,
     PhysicalFeatures::METALS,
     PhysicalFeatures::FACETS,
     PhysicalFeatures::ABSORBS,
     PhysicalFeatures::DISPERSES,
     PhysicalFeatures::BALLS,
+    PhysicalFeatures::CEMENTED,
     PhysicalFeatures::ALL,
 ];
 

@@ -97,6 +97,11 @@ impl Audit {
                 "ior_beyond": interface.ior_beyond,
                 "ratio": interface.ratio,
                 "total_reflection": interface.is_total,
+                "cemented": interface.contact.map(|contact| json!({
+                    "from": self.body(contact.bodies[0]),
+                    "to": self.body(contact.bodies[1]),
+                    "seamless": contact.is_seamless,
+                })),
             })),
             "reflected": branch(&answer.reflected),
             "refracted": branch(&answer.refracted),
@@ -133,6 +138,7 @@ impl Audit {
                     "distance": crossing.distance,
                     "leaving": crossing.leaving,
                     "filter": crossing.filter.map(|filter| filter.to_array()),
+                    "into": crossing.into.map(|body| self.body(body)),
                 })
             })
             .collect();

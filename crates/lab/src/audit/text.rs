@@ -247,10 +247,13 @@ impl AuditText<'_> {
             Some(share) if share > 0.0 => format!(", {} of the pattern's second color", short(share.into())),
             _ => String::new(),
         };
-        if answer.law.has_ground() || answer.law == ReflectionModel::Mirror {
+        let is_seamless = answer.is_seamless();
+        if !is_seamless && (answer.law.has_ground() || answer.law == ReflectionModel::Mirror) {
             self.line("color", &format!("C = {}{second}", exact_color(answer.color)));
         }
-        if matches!(answer.law, ReflectionModel::Constant | ReflectionModel::Schlick) {
+        if is_seamless {
+            self.line("cemented", "no surface: light goes on as in one body");
+        } else if matches!(answer.law, ReflectionModel::Constant | ReflectionModel::Schlick) {
             self.line(
                 "ambient",
                 &format!(
@@ -269,6 +272,7 @@ impl AuditText<'_> {
         }
         self.local(node, answer);
         let by = match (answer.law, node.incidence) {
+            _ if is_seamless => String::new(),
             (ReflectionModel::Constant, _) | (_, None) => String::new(),
             (ReflectionModel::Schlick, Some(angle)) => format!(" by Schlick's formula at {}", degrees(angle)),
             (ReflectionModel::Mirror, _) => " in the mirror's color".to_owned(),
@@ -313,7 +317,14 @@ impl AuditText<'_> {
         let Some(incidence) = node.incidence else { return };
         let mut words = format!("incidence {}", degrees(incidence));
         if let Some(interface) = answer.interface {
-            let indices = format!("index {} to {}", exact(node.ray.ior), exact(interface.ior_beyond));
+            let (from, to) = (exact(node.ray.ior), exact(interface.ior_beyond));
+            let indices = match interface.contact {
+                Some(contact) => {
+                    let [left, entered] = contact.bodies.map(|body| self.audit.names.body(body));
+                    format!("cemented: from {left}, index {from}, to {entered}, index {to}")
+                }
+                None => format!("index {from} to {to}"),
+            };
             let _ = match node.refraction {
                 Some(refraction) => write!(words, ", refraction {} ({indices})", degrees(refraction)),
                 None => write!(words, ", total internal reflection ({indices})"),
@@ -391,7 +402,9 @@ impl AuditText<'_> {
                 match crossing.filter {
                     Some(filter) => {
                         let act = if crossing.leaving { "leaves" } else { "enters" };
-                        format!("{act} {name} at {at} m × {}", exact_color(filter))
+                        let into = crossing.into.map(|body| format!(" into {}", self.audit.names.body(body)));
+                        let into = into.unwrap_or_default();
+                        format!("{act} {name}{into} at {at} m × {}", exact_color(filter))
                     }
                     None if crossing.leaving => format!("{name} to {at} m"),
                     None => format!("{name} in the way at {at} m"),

@@ -78,7 +78,12 @@ impl Node {
         let crossings = lights.filter_map(|light| light.shadow.as_ref()).flat_map(|shadow| &shadow.crossings);
         let met = self.ray.hit.map(|hit| (hit.body, hit.part));
         let media = self.ray.media.iter().map(|body| (*body, None));
-        met.into_iter().chain(media).chain(crossings.map(|crossing| (crossing.body, crossing.part)))
+        let contact = self.answer().and_then(SurfaceRecord::contact);
+        let joined = contact.into_iter().flat_map(|contact| contact.bodies).map(|body| (body, None));
+        let crossed = crossings.flat_map(|crossing| {
+            [(crossing.body, crossing.part)].into_iter().chain(crossing.into.map(|body| (body, None)))
+        });
+        met.into_iter().chain(media).chain(joined).chain(crossed)
     }
 
     /// The largest channel of its weight.

@@ -308,6 +308,54 @@ fn the_part_whose_surface_is_met_is_named() {
     assert_eq!(met(55).0.first(), Some(&things("parts.2")));
 }
 
+/// Cemented bodies are told by name, with the indices on both sides, and the picture is the sum of the audit's numbers.
+#[test]
+fn cemented_bodies_are_told() {
+    let text = "format = 'catoptric/1'
+        [environment]
+        contact = 'cemented'
+        [camera]
+        position = [0.3, 2.6, 0.5]
+        target = [0, 0, 0]
+        [[lights]]
+        name = 'lamp'
+        position = [2, 8, 1]
+        [[bodies]]
+        name = 'crown'
+        shape = 'cube'
+        position = [0, 1, 0]
+        material = { model = 'dielectric', ior = 1.52 }
+        [[bodies]]
+        name = 'flint'
+        shape = 'cube'
+        material = { model = 'dielectric', ior = 1.62 }
+        [[bodies]]
+        name = 'foot'
+        shape = 'cube'
+        position = [0, -1, 0]
+        material = { model = 'dielectric', ior = 1.62 }
+        [[bodies]]
+        name = 'floor'
+        shape = 'plane'
+        position = [0, -1.5, 0]";
+    let scene = catoptric_scene::read(text).into_result().unwrap().value;
+    let picture = RenderSettings { width: 32, height: 32, samples: 1 };
+    let found = look(&scene, picture, UVec2::splat(16));
+    assert_sound(&found);
+    assert_eq!(bits(found.light), bits(rendered(&scene, picture).pixel(16, 16).unwrap()));
+    let words = found.to_text(None);
+    for told in [
+        "(cemented: from \"crown\", index 1.52, to \"flint\", index 1.62)",
+        "(cemented: from \"flint\", index 1.62, to \"foot\", index 1.62)",
+        "no surface: light goes on as in one body",
+        "leaves \"foot\" into \"flint\" at",
+    ] {
+        assert!(words.contains(told), "{told} in\n{words}");
+    }
+    let json = found.to_json().to_string();
+    assert!(json.contains("\"seamless\":true") && json.contains("\"seamless\":false"));
+}
+
 #[test]
 fn pixels_beyond_the_picture_are_refused() {
     let scene = Scene::default();

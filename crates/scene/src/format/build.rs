@@ -7,6 +7,7 @@ use glam::DVec3;
 use crate::body::{Body, Shadow};
 use crate::camera::{Camera, Projection};
 use crate::compound::{BodyPart, BodyShape, Instance};
+use crate::contact::{BodyContact, Contact};
 use crate::format::diagnostic::{Diagnostic, Diagnostics};
 use crate::format::keys;
 use crate::format::material;
@@ -112,6 +113,7 @@ impl<'t> SceneBuilder<'_, 't> {
             surroundings: fields.image("picture", "layer").map_or(Surroundings::Even, Surroundings::Picture),
             rotation_degrees: fields.number("rotation").unwrap_or(default.rotation_degrees),
             strength: fields.number("strength").unwrap_or(default.strength),
+            contact: fields.word("contact", Contact::of_key).unwrap_or_default(),
         };
         if let Some(sky) = fields.child("sky") {
             environment.surroundings = Surroundings::Sky(self.sky(sky));
@@ -204,6 +206,7 @@ impl<'t> SceneBuilder<'_, 't> {
         let built = self.part_of(&keys::BODY, table, &mut parts);
         let mut fields = Fields { text: self.text, spec: &keys::BODY, table, found: self.found };
         let shadow = fields.word("shadow", Shadow::of_key).unwrap_or_default();
+        let contact = fields.word("contact", BodyContact::of_key).unwrap_or_default();
         let [hidden, locked] = ["hidden", "locked"].map(|key| fields.flag(key).unwrap_or_default());
         let BodyPart { name, shape, placement, material, parts: own, parametric, instance } = built.part;
         let body = Body {
@@ -213,6 +216,7 @@ impl<'t> SceneBuilder<'_, 't> {
             material: material.unwrap_or_default(),
             hidden,
             shadow,
+            contact,
             locked,
             parts: own,
             parametric,

@@ -12,6 +12,7 @@ pub use self::material::{MATERIAL, NESTED_PATTERN, PATTERN};
 use crate::Tracing;
 use crate::body::Shadow;
 use crate::compound::{DishProfile, Lens, Prism};
+use crate::contact::{BodyContact, Contact};
 use crate::format::spec::{Default, KeySpec, Kind, Limits, TableSpec};
 use crate::shape::{ShapeKind, VisibleSide};
 
@@ -116,6 +117,12 @@ pub static ENVIRONMENT: TableSpec = TableSpec {
         )
         .or(Default::Number(0.0)),
         amount("strength", "a factor of the light of the sky or the picture").or(Default::Number(1.0)),
+        KeySpec::new(
+            "contact",
+            Kind::Choice(Contact::KEYS),
+            "what lies between bodies that touch: a film of air (`air`) or nothing (`cemented`)",
+        )
+        .or(Default::Text(Contact::Air.key())),
     ],
 };
 
@@ -244,6 +251,13 @@ pub static BODY: TableSpec = TableSpec {
              (`none`: it casts no shadow) or nothing (`full`)",
         )
         .or(Default::Text(Shadow::Filtered.key())),
+        KeySpec::new(
+            "contact",
+            Kind::Choice(BodyContact::KEYS),
+            "what lies between the body and others that it touches: a film of air (`air`), nothing (`cemented`), or what the \
+             other body or the scene says (`scene`)",
+        )
+        .or(Default::Text(BodyContact::Scene.key())),
         flag("locked", "whether the studio leaves the body as it is; no picture depends on it"),
         parts(&PART),
     ],

@@ -179,7 +179,8 @@ pub(crate) fn environment(environment: &Environment) -> Record<'_> {
         }
         Surroundings::Picture(image) => picture(record, "picture", image),
     };
-    record.number("rotation", environment.rotation_degrees).number("strength", environment.strength)
+    let record = record.number("rotation", environment.rotation_degrees);
+    record.number("strength", environment.strength).text("contact", environment.contact.key())
 }
 
 /// The path of a picture, and its layer.
@@ -217,6 +218,7 @@ pub(crate) fn body(body: &Body) -> Record<'_> {
         record = material_choice(record, &body.material);
     }
     let record = record.flag("hidden", body.hidden).text("shadow", body.shadow.key());
+    let record = record.text("contact", body.contact.key());
     with_parts(record.flag("locked", body.locked), &body.form())
 }
 

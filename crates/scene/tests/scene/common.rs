@@ -2,11 +2,11 @@
 
 use catoptric_optics::{CLEAR, METALS};
 use catoptric_scene::{
-    Anchor, Attenuation, Body, BodyPart, BodyShape, Camera, Coated, Color, Conductor, Dielectric,
-    Environment, Falloff, FresnelTerm, Image, ImageSource, Instance, Light, Material, MaterialChoice, Matte,
-    MetalOptics, Mirror, Model, NamedMaterial, ParaboloidDepth, Pattern, PatternSpace, Phong, Placement,
-    Projection, RefractiveIndex, Scene, Shadow, Shape, ShapeKind, Sky, SolidKind, SolidTexture, Surroundings,
-    ThinDielectric, Tracing, VisibleSide,
+    Anchor, Attenuation, Body, BodyContact, BodyPart, BodyShape, Camera, Coated, Color, Conductor, Contact,
+    Dielectric, Environment, Falloff, FresnelTerm, Image, ImageSource, Instance, Light, Material,
+    MaterialChoice, Matte, MetalOptics, Mirror, Model, NamedMaterial, ParaboloidDepth, Pattern, PatternSpace,
+    Phong, Placement, Projection, RefractiveIndex, Scene, Shadow, Shape, ShapeKind, Sky, SolidKind,
+    SolidTexture, Surroundings, ThinDielectric, Tracing, VisibleSide,
 };
 use glam::DVec3;
 use proptest::prelude::*;
@@ -331,11 +331,12 @@ fn can_be_joined(shape: Shape, parts: &[BodyPart]) -> bool {
 }
 
 fn body() -> BoxedStrategy<Body> {
-    (part(), choice(), any::<[bool; 2]>(), proptest::sample::select(Shadow::ALL.to_vec()))
-        .prop_map(|(part, own, [hidden, locked], shadow)| {
+    let contact = proptest::sample::select(BodyContact::ALL.to_vec());
+    (part(), choice(), any::<[bool; 2]>(), proptest::sample::select(Shadow::ALL.to_vec()), contact)
+        .prop_map(|(part, own, [hidden, locked], shadow, contact)| {
             let BodyPart { name, shape, placement, material, parts, parametric, instance } = part;
             let material = material.unwrap_or(own);
-            let flags = Body { hidden, shadow, locked, ..Body::default() };
+            let flags = Body { hidden, shadow, contact, locked, ..Body::default() };
             Body { name, shape, placement, material, parts, parametric, instance, ..flags }
         })
         .boxed()
@@ -357,11 +358,12 @@ pub(crate) fn scene() -> impl Strategy<Value = Scene> {
     let lights = proptest::collection::vec(light(), 0..4);
     let bodies = proptest::collection::vec(body(), 0..5);
     let around = (around(), -1e6..=1e6f64, amount());
-    let surroundings = (camera(), color(), color(), around, 1..=64u32, 0.0..=1.0f64);
+    let contact = proptest::sample::select(Contact::ALL.to_vec());
+    let surroundings = (camera(), color(), color(), around, contact, 1..=64u32, 0.0..=1.0f64);
     let instances = proptest::collection::vec((place(), any::<[bool; 2]>()), 0..3);
     let lists = (materials, lights, bodies, instances);
     (surroundings, lists).prop_map(|(surroundings, (materials, lights, bodies, instances))| {
-        let (camera, background, ambient, around, generations, threshold) = surroundings;
+        let (camera, background, ambient, around, contact, generations, threshold) = surroundings;
         let (surroundings, rotation_degrees, strength) = around;
         let materials =
             materials.into_iter().map(|(name, material)| NamedMaterial { name, material }).collect();
@@ -391,7 +393,14 @@ pub(crate) fn scene() -> impl Strategy<Value = Scene> {
         }
         let mut scene = Scene {
             camera,
-            environment: Environment { background, ambient, surroundings, rotation_degrees, strength },
+            environment: Environment {
+                background,
+                ambient,
+                surroundings,
+                rotation_degrees,
+                strength,
+                contact,
+            },
             tracing: Tracing { generations, threshold },
             materials,
             lights: unique(lights, |light| &mut light.name),

@@ -54,6 +54,8 @@ audit-angles = Angles
 audit-angle = incidence { $incidence }
 audit-angles-both = incidence { $incidence }, refraction { $refraction } (from n = { $from } to { $to })
 audit-angles-total = incidence { $incidence }, total internal reflection (from n = { $from } to { $to })
+audit-cemented = cemented: from { $left } to { $entered }
+audit-seamless = cemented: from { $left } to { $entered }, of the same index: there is no surface
 audit-ambient = Ambient
 audit-through-coat = through the coat
 audit-light-below = below the surface, adds nothing
@@ -61,6 +63,7 @@ audit-light-words = { $distance } m away, { $between }
 audit-nothing-between = nothing between
 audit-blocked = { $body } in the way at { $distance } m
 audit-filtered = through { $body } at { $distance } m × { $filter }
+audit-filtered-into = from { $body } into { $into } at { $distance } m × { $filter }
 audit-medium-before-light = the medium before the light × { $filter }
 audit-more-surfaces = { $count ->
     [one] and { $count } more surface

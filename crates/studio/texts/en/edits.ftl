@@ -95,6 +95,7 @@ edit-back-radius = Back radius
 edit-profile = Profile
 edit-visible-side = Visible side
 edit-shadow = Shadow
+edit-contact = Contact
 edit-fresnel = Fresnel term
 edit-size = Size
 edit-width = Width

@@ -55,6 +55,8 @@ audit-angles = Углы
 audit-angle = падения { $incidence }
 audit-angles-both = падения { $incidence }, преломления { $refraction } (из n = { $from } в n = { $to })
 audit-angles-total = падения { $incidence }, полное внутреннее отражение (из n = { $from } в n = { $to })
+audit-cemented = склейка: { $left } → { $entered }
+audit-seamless = склейка: { $left } → { $entered }, показатель один: границы нет
 audit-ambient = Фоновый свет
 audit-through-coat = сквозь покрытие
 audit-light-below = за поверхностью, ничего не добавляет
@@ -62,6 +64,7 @@ audit-light-words = расстояние { $distance } м, { $between }
 audit-nothing-between = путь свободен
 audit-blocked = заслоняет { $body } на { $distance } м
 audit-filtered = сквозь { $body } на { $distance } м × { $filter }
+audit-filtered-into = { $body } → { $into } на { $distance } м × { $filter }
 audit-medium-before-light = среда перед источником × { $filter }
 audit-more-surfaces = { $count ->
     [one] и ещё { $count } поверхность

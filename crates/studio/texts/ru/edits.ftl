@@ -95,6 +95,7 @@ edit-back-radius = Радиус сзади
 edit-profile = Профиль
 edit-visible-side = Видимая сторона
 edit-shadow = Тень
+edit-contact = Контакт
 edit-fresnel = Член Френеля
 edit-size = Размер
 edit-width = Ширина

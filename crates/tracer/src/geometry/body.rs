@@ -3,7 +3,7 @@
 pub(crate) mod double;
 
 use bytemuck::{Pod, Zeroable};
-use catoptric_scene::{Body, Shadow};
+use catoptric_scene::{Body, BodyContact, Contact, Shadow};
 use glam::{DAffine3, DMat3, DVec3};
 
 use crate::geometry::body::double::Body64;
@@ -45,7 +45,8 @@ pub(crate) struct RenderBody {
     pub kind: u8,
     /// 1 if each axis of the frame is parallel to the same one of the world, else 0.
     pub aligned: u8,
-    /// How rays and light pass: a sum of [`TRANSPARENT`], [`SHADOWLESS`] and [`FILTERS`], 0 if not at all.
+    /// How rays and light pass, a sum of [`TRANSPARENT`], [`SHADOWLESS`] and [`FILTERS`]; and what lies between the body and
+    /// others that it touches, of [`CEMENTABLE`] and [`CEMENTS`].
     pub passes: u8,
     /// 1 if it is intersected in double precision, by a [`Body64`]; the numbers here are its rough ones.
     pub double: u8,
@@ -57,6 +58,9 @@ pub(crate) const TRANSPARENT: u8 = 1;
 pub(crate) const SHADOWLESS: u8 = 2;
 /// What the surfaces and the inside of the body let through of such light passes.
 pub(crate) const FILTERS: u8 = 4;
+/// Nothing lies between the body and another that it touches, if both are cementable and one of them cements.
+pub(crate) const CEMENTABLE: u8 = 8;
+pub(crate) const CEMENTS: u8 = 16;
 
 /// How rays and light pass a body, as [`RenderBody::passes`] has it.
 pub(crate) fn passage(is_transparent: bool, shadow: Shadow) -> u8 {
@@ -67,6 +71,15 @@ pub(crate) fn passage(is_transparent: bool, shadow: Shadow) -> u8 {
         Shadow::Filtered | Shadow::Full => 0,
     };
     of_rays | of_light
+}
+
+/// What lies between a body and others that it touches, as [`RenderBody::passes`] has it: [`Contact::between`] in bits.
+pub(crate) fn contact_bits(scene: Contact, body: BodyContact) -> u8 {
+    match (body, scene) {
+        (BodyContact::Air, _) => 0,
+        (BodyContact::Scene, Contact::Air) => CEMENTABLE,
+        (BodyContact::Cemented, _) | (BodyContact::Scene, Contact::Cemented) => CEMENTABLE | CEMENTS,
+    }
 }
 
 /// A body made ready for a scene: opaque, without a pattern, of the first material.
@@ -276,6 +289,21 @@ impl RenderBody {
     #[inline(always)]
     pub(crate) fn stops_light(&self) -> bool {
         self.passes & (SHADOWLESS | FILTERS) == 0
+    }
+
+    /// Whether nothing lies between the body and others that it touches, unless they want air.
+    pub(crate) fn cements(&self) -> bool {
+        self.passes & CEMENTS != 0
+    }
+
+    /// Whether nothing may lie between the body and another that it touches.
+    pub(crate) fn is_cementable(&self) -> bool {
+        self.passes & CEMENTABLE != 0
+    }
+
+    /// Whether nothing lies between the body and another where they touch.
+    pub(crate) fn is_cemented_to(&self, other: &Self) -> bool {
+        self.passes & other.passes & CEMENTABLE != 0 && (self.passes | other.passes) & CEMENTS != 0
     }
 
     /// Where a line of the world, of a direction of length 1, crosses the body.

@@ -37,6 +37,11 @@ fn body_is_shadowless(index: u32) -> bool {
     return HAS_SHADOWLESS && (bodies[index].kind_and_passage & (SHADOWLESS << 16u)) != 0u;
 }
 
+// Whether it may be cemented to what it touches.
+fn body_is_cementable(index: u32) -> bool {
+    return (bodies[index].kind_and_passage & (CEMENTABLE << 16u)) != 0u;
+}
+
 fn body_origin(index: u32) -> vec3<f32> {
     return vec3(bodies[index].origin[0], bodies[index].origin[1], bodies[index].origin[2]);
 }

@@ -1,6 +1,7 @@
 //! What rays meet: the nearest body, and what lies between a point and a light.
 
 pub(crate) mod candidates;
+pub(crate) mod cemented;
 pub(crate) mod closest;
 pub(crate) mod coincident;
 pub(crate) mod intersection;
@@ -16,7 +17,7 @@ use crate::geometry::membership::BodyMembership;
 use crate::geometry::query::candidates::Candidates;
 use crate::geometry::query::closest::ClosestHits;
 use crate::geometry::query::coincident::resolve_coincident;
-use crate::geometry::ray::{INWARDS, RayPacket, error_bound_at};
+use crate::geometry::ray::{INWARDS, NO_START, RayPacket, error_bound_at};
 use crate::geometry::visible_bodies::{BoundingCone, VisibleBodies};
 use crate::geometry::{Accelerator, Geometry};
 use crate::simd::vector::Vector;
@@ -45,6 +46,9 @@ pub(crate) struct PacketHits<W: Width> {
     pub hit: W::M,
     /// The rays that may meet other bodies there too: they have to be [resolved](Self::resolved).
     pub contested: W::M,
+    /// Of a [cemented](RayQuery::cemented_hit) contact, the start of a ray that is reflected at the other of its two surfaces;
+    /// else [`NO_START`].
+    pub contact: W::W,
 }
 
 /// What a search does with the bodies that rays may meet: one ray, a packet, or some rays of a stream.
@@ -101,7 +105,7 @@ pub(crate) struct RayQuery<'a, W: Width> {
     start: W::W,
     /// Those that fly.
     pub(crate) lanes: W::M,
-    membership: &'a BodyMembership,
+    pub(crate) membership: &'a BodyMembership,
     candidates: Candidates<'a>,
 }
 
@@ -110,7 +114,8 @@ impl<W: Width> PacketHits<W> {
     #[inline(always)]
     pub(crate) fn none(w: W) -> Self {
         let (zero, none) = (w.real(0.0), w.mask(0));
-        Self { t: zero, body: w.word(0), leaving: none, face: zero, hit: none, contested: none }
+        let contact = w.word(NO_START);
+        Self { t: zero, body: w.word(0), leaving: none, face: zero, hit: none, contested: none, contact }
     }
 
     /// The first hits of these rays, of bodies that they meet where others are the first in the scene.
@@ -123,18 +128,19 @@ impl<W: Width> PacketHits<W> {
         inside: &BodyMembership,
     ) -> Self {
         // Number by number: masks that were just written are slow to read as parts of a whole.
-        let Self { mut t, mut body, mut leaving, mut face, mut hit, contested } = self;
+        let Self { mut t, mut body, mut leaving, mut face, mut hit, contested, mut contact } = self;
         if contested.any() {
             let first = resolve_coincident(
                 w,
                 geometry,
                 rays,
                 inside,
-                Self { t, body, leaving, face, hit, contested },
+                Self { t, body, leaving, face, hit, contested, contact },
             );
             (t, body, leaving, face, hit) = (first.t, first.body, first.leaving, first.face, first.hit);
+            contact = first.contact;
         }
-        Self { t, body, leaving, face, hit, contested }
+        Self { t, body, leaving, face, hit, contested, contact }
     }
 }
 

@@ -5,6 +5,8 @@ struct HitRecord {
     body: u32,
     leaving: bool,
     hit: bool,
+    // Of a cemented contact, the start of a ray that is reflected at the other of its two surfaces; else NO_START.
+    contact: u32,
 }
 
 struct BodyIntersection {
@@ -146,22 +148,28 @@ fn is_contested(ray: Ray, nearest: ClosestHit) -> bool {
     return t < INFINITY && nearest.others <= t + GRAZING * error_bound_at(ray, t, nearest.slack);
 }
 
-// Of hits that coincide within rounding, the one that leads out comes before the one that leads in.
+// Whether a body is left before another is entered: of hits that coincide within rounding, the one that leads out comes
+// before the one that leads in.
+fn is_left_first(best: ClosestHits, ray: Ray) -> bool {
+    let larger = max(best.entering.slack, best.leaving.slack);
+    let bound = error_bound_at(ray, best.entering.t, larger);
+    return best.leaving.t < INFINITY && best.leaving.t <= best.entering.t + bound;
+}
+
 fn first_of(best: ClosestHits, ray: Ray) -> HitRecord {
     let entering = best.entering;
     let leaving = best.leaving;
-    if leaving.t < INFINITY {
-        let larger = max(entering.slack, leaving.slack);
-        if leaving.t <= entering.t + error_bound_at(ray, entering.t, larger) {
-            return HitRecord(leaving.t, leaving.body, turned(leaving.body, true), true);
-        }
+    if is_left_first(best, ray) {
+        return HitRecord(leaving.t, leaving.body, turned(leaving.body, true), true, NO_START);
     }
-    return HitRecord(entering.t, entering.body, turned(entering.body, false), entering.t < INFINITY);
+    let hit = entering.t < INFINITY;
+    return HitRecord(entering.t, entering.body, turned(entering.body, false), hit, NO_START);
 }
 
-// Hits that are contested: those that enter a body, and those that leave one.
+// Hits that are contested: those that enter a body, those that leave one, and those that may be cemented contacts.
 const ENTERING: u32 = 1u;
 const LEAVING: u32 = 2u;
+const TOUCHING: u32 = 4u;
 
 // The nearest body that a ray meets. A walk finds it, and where hits are contested, which is rare, another one settles them:
 // through the same code, since shaders are compiled with all calls unfolded.
@@ -174,6 +182,8 @@ fn closest_hit(ray: Ray, media: ptr<function, Media>) -> HitRecord {
     var nearest = none;
     var nearest_cosine = 0.0;
     var first = none;
+    var first_leaves = false;
+    var entry_touches = false;
     loop {
         var walk = traversal_from(ray);
         loop {
@@ -182,13 +192,18 @@ fn closest_hit(ray: Ray, media: ptr<function, Media>) -> HitRecord {
                 break;
             }
             for (var index = leaf.first; index < leaf.first + leaf.count; index++) {
-                if settled != 0u && !is_joined(index) && !comes_before(index, first.body) {
+                let is_ordered = settled == ENTERING || settled == LEAVING;
+                if is_ordered && !is_joined(index) && !comes_before(index, first.body) {
                     continue;
                 }
                 var body: u32;
                 let met = first_meeting(index, ray, media, &body);
                 if settled == 0u {
                     offer(met, body, ray, &best);
+                } else if CEMENTED && settled == TOUCHING {
+                    let touches =
+                        cemented_of_two(met, body, ray, nearest, nearest_cosine, &first, &first_leaves);
+                    entry_touches |= touches && body == best.entering.body;
                 } else {
                     first = first_of_two(met, body, ray, nearest, nearest_cosine, first, settled == LEAVING);
                 }
@@ -196,11 +211,15 @@ fn closest_hit(ray: Ray, media: ptr<function, Media>) -> HitRecord {
         }
         if settled == 0u {
             contested = select(0u, ENTERING, is_contested(ray, best.entering))
-                | select(0u, LEAVING, is_contested(ray, best.leaving));
+                | select(0u, LEAVING, is_contested(ray, best.leaving))
+                | select(0u, TOUCHING, CEMENTED && may_touch(best, ray, media));
         } else if settled == ENTERING {
             best.entering = first;
-        } else {
+        } else if settled == LEAVING {
             best.leaving = first;
+        } else if first.t < INFINITY && (entry_touches || is_left_first(best, ray)) {
+            // By more than rounding along the ray another body may come before, and yet touch this one across the surfaces.
+            return cemented_hit(nearest, first, first_leaves);
         }
         contested &= ~settled;
         if contested == 0u {
@@ -210,10 +229,13 @@ fn closest_hit(ray: Ray, media: ptr<function, Media>) -> HitRecord {
         settled = ENTERING;
         if (contested & ENTERING) == 0u {
             nearest = best.leaving;
-            settled = LEAVING;
+            settled = select(TOUCHING, LEAVING, (contested & LEAVING) != 0u);
         }
         first = nearest;
-        nearest_cosine = crossing_cosine(nearest.body, ray, turned(nearest.body, settled == LEAVING));
+        if CEMENTED && settled == TOUCHING {
+            first = none;
+        }
+        nearest_cosine = crossing_cosine(nearest.body, ray, turned(nearest.body, settled != ENTERING));
         best.reach = reach_of(ray, nearest.t);
     }
     return first_of(best, ray);
@@ -262,6 +284,7 @@ fn filter_through(index: u32, ray: Ray, media: ptr<function, Media>, distance: f
     let met = meeting(index, ray, media);
     let in_front = met.entering && met.enter < distance;
     let behind = met.leaving && met.exit < distance;
+    let both = in_front && met.exit < distance;
     if ABSORBS && body_is_transparent(index) {
         note_interval(index, met, distance, media);
     }
@@ -271,8 +294,17 @@ fn filter_through(index: u32, ray: Ray, media: ptr<function, Media>, distance: f
     if body_stops_light(index) {
         return vec3(0.0);
     }
+    if CEMENTED && body_is_cementable(index) {
+        if in_front {
+            note_crossing(met.enter, index, false);
+        }
+        if behind || both {
+            note_crossing(met.exit, index, true);
+        }
+        return vec3(1.0);
+    }
     let once = filter_of(index);
-    return select(once, once * once, in_front && met.exit < distance);
+    return select(once, once * once, both);
 }
 
 // What reaches the ray's start from a light at `to_light` along it: the product of the filters of all surfaces
@@ -283,6 +315,9 @@ fn transmittance(ray: Ray, media: ptr<function, Media>, to_light: f32) -> vec3<f
     var share = vec3(1.0);
     if ABSORBS {
         forget_intervals();
+    }
+    if CEMENTED {
+        forget_crossings();
     }
     var walk = traversal_from(ray);
     loop {
@@ -299,6 +334,9 @@ fn transmittance(ray: Ray, media: ptr<function, Media>, to_light: f32) -> vec3<f
     }
     if ABSORBS {
         share *= left_in_intervals();
+    }
+    if CEMENTED {
+        share = bounded(share * left_at_contacts(ray, media));
     }
     return share;
 }

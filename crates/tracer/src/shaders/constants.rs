@@ -8,6 +8,9 @@ pub(crate) const MOST_MEDIA: usize = 16;
 /// The most transparent bodies on the way to a light that the shaders have room for, where some of them absorb.
 pub(crate) const MOST_INTERVALS: u32 = 24;
 
+/// The most surfaces of clear bodies on the way to a light that the shaders have room for, where some are cemented.
+pub(crate) const MOST_CROSSINGS: u32 = 2 * MOST_INTERVALS;
+
 /// The most rays of one tree: what a thread of a slow card can trace before its driver takes it for hung.
 pub(crate) const MOST_RAYS: u32 = 1 << 16;
 

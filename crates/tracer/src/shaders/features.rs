@@ -11,7 +11,7 @@ use crate::transport::surface::model::MaterialModel;
 pub struct PhysicalFeatures(u32);
 
 impl PhysicalFeatures {
-    /// Neither physical materials nor lights that are balls.
+    /// Neither physical materials nor lights that are balls, nor cemented bodies.
     pub const NOTHING: Self = Self(0);
     /// Surfaces that reflect by a law of their own.
     pub const LAWS: Self = Self(1);
@@ -25,8 +25,10 @@ impl PhysicalFeatures {
     pub const DISPERSES: Self = Self(1 << 4);
     /// Lights that are balls.
     pub const BALLS: Self = Self(1 << 5);
+    /// Bodies that are cemented to what they touch.
+    pub const CEMENTED: Self = Self(1 << 6);
     /// Everything that there is.
-    pub const ALL: Self = Self((1 << 6) - 1);
+    pub const ALL: Self = Self((1 << 7) - 1);
 
     /// Whether all of `other` is there.
     pub const fn has(self, other: Self) -> bool {
@@ -42,6 +44,7 @@ impl PhysicalFeatures {
             (Self::ABSORBS, any(RenderMaterial::absorbs)),
             (Self::DISPERSES, any(|material| material.dispersion.is_some())),
             (Self::BALLS, scene.lights.iter().any(|light| light.radius > 0.0)),
+            (Self::CEMENTED, scene.geometry.has_cemented),
         ];
         found.into_iter().filter(|(_, is_there)| *is_there).fold(Self::NOTHING, |all, (one, _)| all | one)
     }

@@ -37,6 +37,7 @@ pub(crate) fn constants(special: &ShaderSpecialization) -> ShaderConstants {
             ("LAW_COAT", COAT),
             ("LAW_THIN_DIELECTRIC", THIN_DIELECTRIC),
             ("LAW_SCHLICK", SCHLICK),
+            ("LAW_NOTHING", NOTHING),
         ],
         numbers: vec![("INDEX_START", *observer::VISIBLE.start() as f32), ("INDEX_RATE", INDEX_RATE as f32)],
         flags: vec![
@@ -60,6 +61,8 @@ const CONDUCTOR: u32 = 3;
 const COAT: u32 = 4;
 const THIN_DIELECTRIC: u32 = 5;
 const SCHLICK: u32 = 6;
+/// Of a cemented contact without a surface.
+const NOTHING: u32 = 7;
 
 /// Indices of refraction to a nanometer. Between them straight lines are off by less than 10⁻⁶ for glass.
 const INDEX_RATE: f64 = 2.0;
@@ -90,6 +93,7 @@ struct MaterialRowTables {
     rows: Vec<MaterialRow>,
     /// Where the curves are that stand there already.
     curves: HashMap<*const ConductorTable, u32>,
+    dispersions: Vec<(Dispersion, u32)>,
     pictures: PictureAtlas,
 }
 
@@ -109,7 +113,11 @@ impl MaterialRowTables {
 
     /// The indices of refraction at even steps through visible light.
     fn indices(&mut self, dispersion: Dispersion) -> u32 {
+        if let Some((_, place)) = self.dispersions.iter().find(|known| known.0 == dispersion) {
+            return *place;
+        }
         let place = self.next();
+        self.dispersions.push((dispersion, place));
         let index =
             |step: u32| dispersion.index(observer::VISIBLE.start() + f64::from(step) / INDEX_RATE) as f32;
         let fours = (0..=INDEX_STEPS).step_by(4);

@@ -93,7 +93,7 @@ pub enum UnsupportedOnGpu {
     /// A ray came to be inside of very many transparent bodies at once; found out only while drawing.
     #[error(
         "a ray is inside of more than {MOST_MEDIA} transparent bodies at once, or a shadow ray goes through more than \
-         {MOST_INTERVALS} where some absorb; the GPU has no room for that"
+         {MOST_INTERVALS} where some absorb or are cemented; the GPU has no room for that"
     )]
     NestedMedia,
     /// The tree of a pixel has very many rays; found out only while drawing.

@@ -2,7 +2,7 @@
 
 use crate::geometry::body::RenderBody;
 use crate::geometry::query::PacketHits;
-use crate::geometry::ray::{INWARDS, RayPacket};
+use crate::geometry::ray::{INWARDS, NO_START, RayPacket};
 use crate::simd::vector::Vector;
 use crate::simd::{MOST_LANES, Mask as _, Width, Word as _};
 use crate::transport::scene::RenderScene;
@@ -16,6 +16,9 @@ pub(crate) struct SurfaceInteraction<W: Width> {
     /// The body, and [`INWARDS`] where the ray came from within: the start of rays on this side.
     pub(crate) start: W::W,
     pub(crate) position: Vector<W::R>,
+    /// Of cemented contacts, the start of a ray that is reflected at the other surface; else
+    /// [`NO_START`].
+    pub(crate) contact: W::W,
     /// What the surfaces do with light.
     pub(crate) bsdf: Bsdf<W>,
 }
@@ -43,7 +46,7 @@ impl<W: Width> SurfaceInteraction<W> {
             let colors = SurfaceColors { color: color_of(body, same), ground };
             bsdf.set_material::<FULL, false>(w, (material, scene.ambient), colors, direction, same);
         });
-        Self { t: w.real(0.0), start, position, bsdf }
+        Self { t: w.real(0.0), start, position, contact: w.word(NO_START), bsdf }
     }
 
     /// Looks at the bodies one after the other: rays side by side mostly meet the same.
@@ -60,6 +63,7 @@ impl<W: Width> SurfaceInteraction<W> {
             t: hits.t,
             start: hits.body.or(leaving),
             position: Vector::new(zero, zero, zero),
+            contact: hits.contact,
             bsdf: Bsdf::black(w, hits.body, scene.geometry.joined.turned(w, hits.body, hits.leaving)),
         };
         let mut bodies = [0; MOST_LANES];

@@ -5,6 +5,8 @@ struct SurfaceInteraction {
     body: u32,
     // The body, and INWARDS where the ray came from within: the start of rays on this side.
     start: u32,
+    // Of a cemented contact, the start of a ray that is reflected at the other surface; else NO_START.
+    contact: u32,
     position: vec3<f32>,
     // Unit normal facing the ray.
     normal: vec3<f32>,
@@ -25,6 +27,7 @@ fn interaction(ray: Ray, hit: HitRecord) -> SurfaceInteraction {
     at.t = hit.t;
     at.body = hit.body;
     at.start = hit.body | select(0u, INWARDS, hit.leaving);
+    at.contact = hit.contact;
     at.position = point.in_world;
     at.normal = point.normal;
     at.ambient = color * (frame.ambient * material.ambient);

@@ -1,11 +1,13 @@
 //! The transparent bodies that rays are inside of.
 
 pub(crate) mod absorption;
+pub(crate) mod shadow_crossings;
 pub(crate) mod shadow_stream;
 pub(crate) mod transmittance;
 
 use std::collections::HashMap;
 
+use catoptric_optics::Dispersion;
 use foldhash::fast::FixedState;
 
 use crate::geometry::Accelerator;
@@ -141,6 +143,43 @@ impl MediumStacks {
         let crossing = MediumTransition { beyond, ratio };
         self.crossings.insert((media, start), crossing);
         crossing
+    }
+
+    /// What a ray in `media` comes to beyond a cemented contact of two surfaces, given by the starts of rays that are reflected
+    /// at each: the one body is left, and the other entered.
+    pub(crate) fn across_contact(
+        &mut self,
+        scene: &RenderScene,
+        waves: &SampledWavelengths,
+        media: u32,
+        [one, other]: [u32; 2],
+    ) -> MediumTransition {
+        let RayOrigin { body, inwards } = RayOrigin::of_word(one);
+        let is_left = scene.geometry.joined.whole_of(body, inwards).inwards;
+        let [left, entered] = if is_left { [one, other] } else { [other, one] };
+        let between = self.interface(scene, waves, media, left).beyond;
+        let beyond = self.interface(scene, waves, between, entered).beyond;
+        let ratio = self.ior(scene, waves, media) / self.ior(scene, waves, beyond);
+        MediumTransition { beyond, ratio }
+    }
+
+    /// Whether light is bent nowhere between two lists of media, whatever its color.
+    pub(crate) fn are_alike(
+        &self,
+        scene: &RenderScene,
+        waves: &SampledWavelengths,
+        one: u32,
+        other: u32,
+    ) -> bool {
+        let is_white = self.wave(one).is_none();
+        self.ior(scene, waves, one) == self.ior(scene, waves, other)
+            && (!is_white || self.dispersion(scene, one) == self.dispersion(scene, other))
+    }
+
+    /// The indices by wavelength in these media, if they differ.
+    pub(crate) fn dispersion<'s>(&self, scene: &'s RenderScene, media: u32) -> Option<&'s Dispersion> {
+        let body = self.bodies(media).next()?;
+        scene.material(scene.geometry.body(body)).dispersion.as_ref()
     }
 
     /// The index of refraction in these media: that of the body entered last, or of air.

@@ -48,24 +48,36 @@ fn media_leave(media: ptr<function, Media>, body: u32) {
 }
 
 // Crosses a surface; returns the index of refraction before it divided by that beyond. `start` is the word of a ray that is
-// reflected there. To leave a body that was never entered, as may be where surfaces coincide, changes nothing; nor does what
-// is a surface only.
-fn media_cross(media: ptr<function, Media>, start: u32) -> f32 {
+// reflected there, `contact` that of one at the other surface of a cemented contact, or NO_START.
+fn media_cross(media: ptr<function, Media>, start: u32, contact: u32) -> f32 {
     let before = media_ior(media);
+    if CEMENTED && contact != NO_START {
+        // The one body is left before the other is entered.
+        let is_left = (whole_of(start) & INWARDS) != 0u;
+        media_pass(media, select(contact, start, is_left));
+        media_pass(media, select(start, contact, is_left));
+    } else {
+        media_pass(media, start);
+    }
+    let beyond = media_ior(media);
+    // A quotient of equal numbers need not be 1 on every card.
+    return select(before / beyond, 1.0, before == beyond);
+}
+
+// To leave a body that was never entered, as may be where surfaces coincide, changes nothing; nor does what is a surface
+// only.
+fn media_pass(media: ptr<function, Media>, start: u32) {
     // A joined body is one medium, whatever its parts.
     let whole = whole_of(start);
     let body = whole & NO_START;
     if has_no_inside(body) {
-        return 1.0;
+        return;
     }
     if (whole & INWARDS) != 0u {
         media_leave(media, body);
     } else if !media_contains(media, body) {
         media_enter(media, body);
     }
-    let beyond = media_ior(media);
-    // A quotient of equal numbers need not be 1 on every card.
-    return select(before / beyond, 1.0, before == beyond);
 }
 
 // The media where a primary ray starts.

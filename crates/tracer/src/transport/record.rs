@@ -60,6 +60,18 @@ pub struct RayRecord {
     pub answer: Option<SurfaceRecord>,
 }
 
+impl SurfaceRecord {
+    /// The cemented contact that the surface is, if it is one.
+    pub fn contact(&self) -> Option<ContactRecord> {
+        self.interface?.contact
+    }
+
+    /// Whether light goes on through a cemented contact as in one body.
+    pub fn is_seamless(&self) -> bool {
+        self.contact().is_some_and(|contact| contact.is_seamless)
+    }
+}
+
 impl RayRecord {
     /// How far what it meets is from where it comes from, the eye or a surface, meters.
     pub fn distance(&self) -> Option<f64> {
@@ -67,7 +79,7 @@ impl RayRecord {
     }
 }
 
-/// How a surface answers a ray that meets it.
+/// How a surface answers a ray that meets it. At a [seamless](ContactRecord::is_seamless) contact its coefficients are 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SurfaceRecord {
     /// By which law it reflects; the coefficients are those of the [branches](BranchRecord).
@@ -109,6 +121,18 @@ pub struct InterfaceRecord {
     pub ratio: f32,
     /// Whether all light is reflected (total internal reflection).
     pub is_total: bool,
+    /// The two bodies of a cemented contact.
+    pub contact: Option<ContactRecord>,
+}
+
+/// A cemented contact: one body is left and another entered, with nothing between them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ContactRecord {
+    /// The body that is left, and the one that is entered: places in [`Scene::bodies`](catoptric_scene::Scene::bodies). One of
+    /// them has the surface that was met.
+    pub bodies: [usize; 2],
+    /// Whether light goes on as in one body, so that there is no surface.
+    pub is_seamless: bool,
 }
 
 /// A ray that may go on from a surface.
@@ -182,6 +206,8 @@ pub struct ShadowCrossing {
     /// What the crossing lets through: k_t·τ, or what is not reflected; and what the medium leaves on the way there from the
     /// point or the crossing before. `None` if the body is opaque.
     pub filter: Option<Vec3>,
+    /// The body that is entered here, too, if this is a cemented contact: its place in the scene.
+    pub into: Option<usize>,
 }
 
 /// What a surface sends on of a light: `light` = `power` × (`diffuse` + `highlight` + `glints`) × V, in this order.

@@ -50,7 +50,8 @@ pub struct RenderScene {
     pub(crate) ambient: [f32; 3],
     pub(crate) generations: u32,
     pub(crate) threshold: f32,
-    /// Whether there is more than Phong's model in plain colors, point lights and even surroundings, or was before an edit.
+    /// Whether there is more than Phong's model in plain colors, point lights, even surroundings and air between bodies, or
+    /// was before an edit.
     pub(crate) is_full: bool,
     /// Whether light is lost in some body.
     pub(crate) absorbs: bool,
@@ -184,6 +185,7 @@ impl RenderScene {
             largest_extent: bodies.par_iter().map(RenderBody::extent).reduce(|| 0.0, f64::max),
             doubles: Arc::new(Bodies64::new(doubles)),
             has_transparency: materials.iter().any(RenderMaterial::is_transparent),
+            has_cemented: Geometry::has_cemented(&bodies),
             joined: JoinedBodies::new(
                 &bodies,
                 first_part as u32,
@@ -197,10 +199,11 @@ impl RenderScene {
         };
         let surroundings = extent_of(bounds, &geometry, &materials, scene);
         let render_scene = Self {
-            geometry,
             is_full: materials.iter().any(RenderMaterial::is_full)
+                || geometry.has_cemented
                 || scene.lights.iter().any(|light| light.radius > 0.0)
                 || sky.is_full(),
+            geometry,
             absorbs: materials.iter().any(RenderMaterial::absorbs),
             disperses: materials.iter().any(|material| material.dispersion.is_some()),
             materials: materials.into(),

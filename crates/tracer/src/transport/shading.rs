@@ -228,7 +228,9 @@ impl<'a> ShadingContext<'a> {
             if !is_unshadowed {
                 self.counts.shadow += u64::from(lit.bits().count_ones());
             }
-            let streams = from.stream();
+            // What passes cemented contacts is found out by packets alone.
+            let is_cemented = FULL && self.scene.geometry.has_cemented;
+            let streams = if is_cemented { None } else { from.stream() };
             let mut through = Transmittance::all(lit);
             let along = self.candidates.to_light(index);
             if streams.is_none() && !is_unshadowed {
@@ -281,27 +283,29 @@ impl<'a> ShadingContext<'a> {
     #[inline(always)]
     fn facet_ratio<W: Width>(&mut self, w: W, paths: &PathState<W>, at: &SurfaceInteraction<W>) -> W::R {
         let lanes = at.bsdf.rough_dielectric();
-        if lanes.any() { self.cross_interface(w, paths.media, at.start, lanes).0 } else { w.real(1.0) }
+        if lanes.any() { self.cross_interface::<W, true>(w, paths.media, at, lanes).0 } else { w.real(1.0) }
     }
 
-    /// The ratio of indices for rays that cross surfaces, and the media beyond; `starts` are those of rays that are reflected
-    /// there.
+    /// The ratio of indices for rays that cross surfaces, and the media beyond.
     #[inline(always)]
-    pub(crate) fn cross_interface<W: Width>(
+    pub(crate) fn cross_interface<W: Width, const FULL: bool>(
         &mut self,
         w: W,
         media: W::W,
-        starts: W::W,
+        at: &SurfaceInteraction<W>,
         lanes: W::M,
     ) -> (W::R, W::W) {
+        if FULL && self.scene.geometry.has_cemented {
+            return self.cross_cemented(w, media, *at, lanes);
+        }
         let (mut lists, mut words) = ([AIR; MOST_LANES], [0; MOST_LANES]);
         media.store(&mut lists);
-        starts.store(&mut words);
+        at.start.store(&mut words);
         let (mut ratio, mut beyond) = (w.real(1.0), media);
         let mut left = lanes.bits();
         while left != 0 {
             let lane = left.trailing_zeros() as usize % MOST_LANES;
-            let same = media.is(lists[lane]) & starts.is(words[lane]);
+            let same = media.is(lists[lane]) & at.start.is(words[lane]);
             left &= !same.bits();
             let same = same & lanes;
             let crossing = self.media.interface(self.scene, &self.waves, lists[lane], words[lane]);

@@ -2,7 +2,9 @@
 
 use std::path::Path;
 
-use catoptric_scene::{MaterialChoice, Phong, Scene};
+use catoptric_scene::{
+    Body, BodyContact, Dielectric, MaterialChoice, Phong, Placement, RefractiveIndex, Scene, Shape,
+};
 use catoptric_tracer::{
     AcceleratorChoice, Film, RenderControl, RenderOutput, RenderScene, RenderSettings, SimdLevel,
     WhittedIntegrator, render,
@@ -25,6 +27,30 @@ fn cloud_with_glass() -> Scene {
         let body = scene.bodies.get_mut(at).unwrap();
         body.material = MaterialChoice::own(glass.clone());
     }
+    scene
+}
+
+/// A cube of so many blocks to a side, of two kinds of glass by turns that are cemented, on a floor.
+fn cemented_blocks(side: u32) -> Scene {
+    let mut scene = scene("whitted");
+    let glass =
+        [1.5, 1.7].map(|ior| Dielectric { index: RefractiveIndex::from(ior), ..Dielectric::default() });
+    let size = 2.0 / f64::from(side);
+    let block = |number: u32| {
+        let place = [number % side, number / side % side, number / side / side];
+        let at = DVec3::from(place.map(f64::from)) * size + DVec3::new(-1.0, 0.0, -1.0) + 0.5 * size;
+        let glass = glass[place.iter().sum::<u32>() as usize % 2].clone();
+        Body {
+            shape: Shape::Cube { size: DVec3::splat(size) },
+            placement: Placement::at(at),
+            material: MaterialChoice::own(glass),
+            contact: BodyContact::Cemented,
+            ..Body::default()
+        }
+    };
+    scene.bodies =
+        (0..side.pow(3)).map(block).chain([Body { shape: Shape::Plane, ..Body::default() }]).collect();
+    scene.tracing.generations = 5;
     scene
 }
 
@@ -62,8 +88,10 @@ fn all_widths_trace_the_same_picture() {
         ["bubble", "gold", "lacquer", "rough-glass", "rough-metal-03", "soft-shadow", "surroundings"];
     let physical = physical.map(|name| format!("../mitsuba/{name}"));
     let patterned = ["../../crates/scene/examples/textures".to_owned()];
-    for name in plain.map(str::to_owned).into_iter().chain(physical).chain(patterned) {
-        let render_scene = RenderScene::build(&scene(&name)).unwrap();
+    let names = plain.map(str::to_owned).into_iter().chain(physical).chain(patterned);
+    let cemented = [2, 4].map(|side| (format!("{side} cemented blocks to a side"), cemented_blocks(side)));
+    for (name, scene) in names.map(|name| (name.clone(), scene(&name))).chain(cemented) {
+        let render_scene = RenderScene::build(&scene).unwrap();
         let cancel = std::sync::atomic::AtomicBool::new(false);
         let mut tracer = WhittedIntegrator::new(&render_scene, &cancel);
         let pixels = (0..SMALL.height).flat_map(|y| (0..SMALL.width).map(move |x| UVec2::new(x, y)));

@@ -2,6 +2,7 @@
 //! in double precision to be held against.
 
 mod absorption;
+mod cemented;
 mod coincident;
 mod common;
 mod contacts;

@@ -178,7 +178,8 @@ fn a_whole_finding_is_told_in_russian() {
     assert_eq!(first.label(Language::Russian).as_deref(), Some("возможно, `radius`?"));
     let help = first.help(Language::Russian).unwrap();
     assert!(
-        help.starts_with("ключи тела: `name`, ") && help.ends_with(" `hidden`, `shadow`, `locked` и `parts`"),
+        help.starts_with("ключи тела: `name`, ")
+            && help.ends_with(" `hidden`, `shadow`, `contact`, `locked` и `parts`"),
         "{help}"
     );
 }

@@ -3,7 +3,7 @@
 use catoptric_lab::audit::{Audit, Node};
 use catoptric_scene::{Scene, ScenePart};
 use catoptric_tracer::{
-    BranchOutcome, BranchRecord, LightTerm, ReflectionModel, ShadowRecord, SurfaceRecord,
+    BranchOutcome, BranchRecord, ContactRecord, LightTerm, ReflectionModel, ShadowRecord, SurfaceRecord,
 };
 use glam::{DVec3, Vec3};
 
@@ -238,11 +238,22 @@ impl AuditLineWriter<'_> {
                     ("to", short(self.texts, interface.ior_beyond.into()).into()),
                 ];
                 let key = if refraction.is_some() { "audit-angles-both" } else { "audit-angles-total" };
-                self.texts.with(key, &arguments)
+                let words = self.texts.with(key, &arguments);
+                match answer.contact() {
+                    Some(contact) => format!("{words}; {}", self.contact(contact)),
+                    None => words,
+                }
             }
             (None, _) => self.texts.with("audit-angle", &[("incidence", incidence.into())]),
         };
         Some(AuditLine::new(AuditTerm::Angles, self.texts.get("audit-angles")).words(words))
+    }
+
+    /// The bodies of a cemented contact.
+    fn contact(&self, contact: ContactRecord) -> String {
+        let [left, entered] = contact.bodies.map(|body| body_name(self.texts, self.scene, body));
+        let key = if contact.is_seamless { "audit-seamless" } else { "audit-cemented" };
+        self.texts.with(key, &[("left", left.into()), ("entered", entered.into())])
     }
 
     fn light(&self, terms: &mut Vec<AuditLine>, light: &LightTerm, answer: &SurfaceRecord) {
@@ -324,7 +335,11 @@ impl AuditLineWriter<'_> {
                 match crossing.filter {
                     Some(filter) => {
                         arguments.push(("filter", color(self.texts, filter).into()));
-                        texts.with("audit-filtered", &arguments)
+                        let Some(into) = crossing.into else {
+                            return texts.with("audit-filtered", &arguments);
+                        };
+                        arguments.push(("into", body_name(texts, self.scene, into).into()));
+                        texts.with("audit-filtered-into", &arguments)
                     }
                     None => texts.with("audit-blocked", &arguments),
                 }

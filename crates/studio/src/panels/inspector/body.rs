@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use catoptric_scene::format::keys;
-use catoptric_scene::{Body, DishProfile, ScenePart, Shadow, ShapeKind, VisibleSide};
+use catoptric_scene::{Body, BodyContact, DishProfile, Scene, ScenePart, Shadow, ShapeKind, VisibleSide};
 use egui::{Id, Ui};
 
 use super::sheet::{NumberRow, PropertySheet, RowQuantity, SliderRail, Unit, VectorRow, VectorSpread};
@@ -209,6 +209,7 @@ pub(super) fn shape_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Body>) {
             ],
         );
         shadow_ui(ui, sheet);
+        contact_ui(ui, sheet);
         if kind.is_compound() && is_own && sheet.things.len() == 1 {
             parts::parts_ui(ui, texts, &sheet.primary.parts);
         }
@@ -243,6 +244,33 @@ fn shadow_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Body>) {
     let is_mixed = sheet.things.iter().any(|body| body.shadow != own);
     if let Some(shadow) = sheet.choice(ui, "shadow", &choices, (!is_mixed).then_some(own)) {
         sheet.change("shadow", "edit-shadow", |_, body| body.shadow = shadow);
+    }
+}
+
+/// In scenes of more bodies the choice of contact is offered without looking for what touches the body.
+const MOST_LOOKED_AT: usize = 1000;
+
+/// Whether it may make a difference what lies between a body and others.
+fn may_touch(scene: &Scene, place: ScenePart) -> bool {
+    let ScenePart::Body(index) = place else { return false };
+    scene.bodies.len() > MOST_LOOKED_AT || scene.contacts_of(index).next().is_some()
+}
+
+/// What lies between the bodies and others, offered where clear bodies may touch; parts do as the whole.
+fn contact_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Body>) {
+    let own = sheet.primary.contact;
+    let is_offered = own != BodyContact::Scene || may_touch(sheet.cx.editor.scene(), sheet.place.part);
+    if !sheet.place.within.is_whole() || !is_offered {
+        return;
+    }
+    let choices = [
+        (BodyContact::Scene, "contact-scene"),
+        (BodyContact::Air, "contact-air"),
+        (BodyContact::Cemented, "contact-cemented"),
+    ];
+    let is_mixed = sheet.things.iter().any(|body| body.contact != own);
+    if let Some(contact) = sheet.choice(ui, "contact", &choices, (!is_mixed).then_some(own)) {
+        sheet.change("contact", "edit-contact", |_, body| body.contact = contact);
     }
 }
 

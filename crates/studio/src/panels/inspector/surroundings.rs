@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use catoptric_scene::format::keys;
-use catoptric_scene::{Color, Environment, ScenePart, Sky, Surroundings, Tracing};
+use catoptric_scene::{Color, Contact, Environment, ScenePart, Sky, Surroundings, Tracing};
 use egui::{Id, Ui};
 
 use super::image::{ImageMenuChoice, OtherChoice};
@@ -130,7 +130,16 @@ pub(super) fn environment_ui(ui: &mut Ui, cx: &mut Cx<'_>, memory: &mut Inspecto
         sheet.number(ui, &ROTATION, None);
         sheet.number(ui, &STRENGTH, None);
         sheet.color(ui, &AMBIENT);
+        contact_ui(ui, &mut sheet);
     });
+}
+
+/// Draws the choice of what lies between bodies that touch.
+fn contact_ui(ui: &mut Ui, sheet: &mut PropertySheet<'_, '_, Environment>) {
+    let choices = [(Contact::Air, "contact-of-scene-air"), (Contact::Cemented, "contact-of-scene-cemented")];
+    if let Some(contact) = sheet.choice(ui, "contact", &choices, Some(sheet.primary.contact)) {
+        sheet.change("contact", "edit-contact", |_, environment| environment.contact = contact);
+    }
 }
 
 /// Draws the choice of what surrounds the bodies.

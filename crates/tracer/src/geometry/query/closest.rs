@@ -2,7 +2,7 @@
 
 use crate::geometry::Geometry;
 use crate::geometry::query::{BodyIntersection, BodyVisitor, JoinedHits, PacketHits, RayQuery};
-use crate::geometry::ray::POINT_ROUNDING;
+use crate::geometry::ray::{NO_START, POINT_ROUNDING};
 use crate::simd::{Float as _, Float32, MOST_LANES, Mask as _, Width, Word as _};
 
 /// Hits that coincide may lie so many times the bound of rounding apart along a ray: it is a bound across the surface, which
@@ -83,10 +83,15 @@ impl<W: Width> ClosestHits<W> {
             face,
             hit: t.lt(infinity) | leaves,
             contested: lanes & self.entering.is_contested(w, self.margin),
+            contact: w.word(NO_START),
         };
         if leaves.any() {
             hits.contested = hits.contested | lanes & self.leaving.is_contested(w, self.margin);
             let out = self.leaving.t;
+            if geometry.has_cemented {
+                let touches = out.le(t_max_for(t, self.margin)) & t.le(t_max_for(out, self.margin));
+                hits.contested = hits.contested | lanes & leaves & touches;
+            }
             let surely = leaves & out.le(t + self.error_bound_at(t, w.real(0.0)));
             let perhaps = leaves & out.le(t + self.error_bound_at(t, w.real(geometry.largest_error_bound)));
             hits.leaving = surely;

@@ -4,7 +4,7 @@ use crate::geometry::Geometry;
 use crate::geometry::bvh::packet::TraversalStack;
 use crate::geometry::membership::BodyMembership;
 use crate::geometry::query::candidates::Candidates;
-use crate::geometry::query::closest::{ClosestHits, GRAZING};
+use crate::geometry::query::closest::{ClosestHit, ClosestHits, GRAZING};
 use crate::geometry::query::{BodyVisitor, JoinedHits, PacketHits, RayQuery};
 use crate::geometry::ray::{POINT_ROUNDING, RayPacket, error_bound_at};
 use crate::simd::scalar::ScalarWidth;
@@ -13,10 +13,21 @@ use crate::simd::{Float32, MOST_LANES, Mask as _, Width, Word as _};
 
 /// Where one ray crosses the surface of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct SurfaceCrossing {
-    t: f32,
-    face: f32,
-    body: u32,
+pub(crate) struct SurfaceCrossing {
+    pub(crate) t: f32,
+    pub(crate) face: f32,
+    /// Of a joined body, the part that makes the surface there.
+    pub(crate) body: u32,
+    /// Whether the ray leaves the body, or the whole.
+    pub(crate) leaving: bool,
+}
+
+impl SurfaceCrossing {
+    /// The nearest one, if there is any.
+    pub(crate) fn of(nearest: &ClosestHit<ScalarWidth>, leaving: bool) -> Option<Self> {
+        let ClosestHit { t, face, body, .. } = *nearest;
+        (t < f32::INFINITY).then_some(Self { t, face, body, leaving })
+    }
 }
 
 /// The first hits of rays, those that are contested found anew by the rule for surfaces that coincide: within the bound of
@@ -33,11 +44,12 @@ pub(crate) fn resolve_coincident<W: Width>(
     hits: PacketHits<W>,
 ) -> PacketHits<W> {
     let [mut ts, mut faces] = [[0.0; MOST_LANES]; 2];
-    let [mut bodies, mut starts] = [[0; MOST_LANES]; 2];
+    let [mut bodies, mut starts, mut contacts] = [[0; MOST_LANES]; 3];
     hits.t.store(&mut ts);
     hits.face.store(&mut faces);
     hits.body.store(&mut bodies);
     rays.start.store(&mut starts);
+    hits.contact.store(&mut contacts);
     let (mut leaving, mut hit) = (hits.leaving.bits(), hits.hit.bits());
     let [origins, directions] = [rays.origin, rays.direction].map(rows);
     let mut stack = TraversalStack::default();
@@ -52,6 +64,7 @@ pub(crate) fn resolve_coincident<W: Width>(
         let first = RayQuery::new(ScalarWidth, geometry, &rays, true, &inside, Candidates::All)
             .first_resolved(&mut stack);
         (ts[lane], faces[lane], bodies[lane]) = (first.t, first.face, first.body);
+        contacts[lane] = first.contact;
         let at = 1 << lane;
         leaving = leaving & !at | if first.leaving { at } else { 0 };
         hit = hit & !at | if first.hit { at } else { 0 };
@@ -63,6 +76,7 @@ pub(crate) fn resolve_coincident<W: Width>(
         face: w.load(&faces),
         hit: w.mask(hit),
         contested: w.mask(0),
+        contact: w.load_words(&contacts),
     }
 }
 
@@ -82,60 +96,80 @@ impl RayQuery<'_, ScalarWidth> {
         self.visit(stack, &mut best);
         self.visit_planes(&mut best);
         for (nearest, leaving) in [(&mut best.entering, false), (&mut best.leaving, true)] {
-            if nearest.t < f32::INFINITY {
-                let first = SurfaceCrossing { t: nearest.t, face: nearest.face, body: nearest.body };
-                let counts = self.first_of_coincident(first, leaving, stack);
+            if let Some(first) = SurfaceCrossing::of(nearest, leaving) {
+                let counts = self.first_of_coincident(first, stack);
                 (nearest.t, nearest.face, nearest.body) = (counts.t, counts.face, counts.body);
             }
         }
-        best.first(ScalarWidth, self.geometry, false)
+        let cemented = if self.geometry.has_cemented { self.cemented_hit(&best, stack) } else { None };
+        cemented.unwrap_or_else(|| best.first(ScalarWidth, self.geometry, false))
     }
 
     /// Of the bodies that are entered, or left, where the nearest one is, the one that comes first in the scene.
-    fn first_of_coincident(
-        &self,
-        nearest: SurfaceCrossing,
-        leaving: bool,
-        stack: &mut TraversalStack,
-    ) -> SurfaceCrossing {
-        let slack_there = error_bound_at(self.origin) + nearest.t * POINT_ROUNDING;
-        let error_bound = |body: u32| self.geometry.body(body).error_bound;
-        let t_max = nearest.t + GRAZING * (slack_there + self.geometry.largest_error_bound);
-        let mut visitor = CrossingVisitor { leaving, t_max, crossings: Vec::new() };
-        self.visit(stack, &mut visitor);
-        self.visit_planes(&mut visitor);
-        let crossings = visitor.crossings;
+    fn first_of_coincident(&self, nearest: SurfaceCrossing, stack: &mut TraversalStack) -> SurfaceCrossing {
+        let mut crossings = self.crossings_near(nearest.t, stack);
+        crossings.retain(|crossing| crossing.leaving == nearest.leaving);
         // Of equal ones the first in the scene, so that the order of visits does not matter.
         let order = |one: &SurfaceCrossing, other: &SurfaceCrossing| {
             one.t.total_cmp(&other.t).then_with(|| self.geometry.scene_order(one.body, other.body))
         };
         let nearest = crossings.iter().copied().min_by(order).unwrap_or(nearest);
-        let own_slack = error_bound(nearest.body);
-        let own_cosine = self.cosine(nearest.body, leaving);
-        let coincides = |crossing: &SurfaceCrossing| {
-            let across = (crossing.t - nearest.t) * own_cosine.max(self.cosine(crossing.body, leaving));
-            across <= slack_there + own_slack.max(error_bound(crossing.body))
-        };
+        let own_cosine = self.cosine(&nearest);
+        let coincides = |other: &SurfaceCrossing| self.coincide((&nearest, own_cosine), other);
         let others = crossings.into_iter().filter(|other| other.body != nearest.body && coincides(other));
         others.fold(nearest, |first, other| {
             if self.geometry.scene_order(other.body, first.body).is_lt() { other } else { first }
         })
     }
 
-    /// |cos| of the angle between the ray and the normal where it enters or leaves a body.
-    fn cosine(&self, body: u32, leaving: bool) -> f32 {
+    /// The first crossings of bodies that may coincide with one at `t`, and those before.
+    pub(crate) fn crossings_near(&self, t: f32, stack: &mut TraversalStack) -> Vec<SurfaceCrossing> {
+        let mut visitor = CrossingVisitor { t_max: t + self.most_apart(t), crossings: Vec::new() };
+        self.visit(stack, &mut visitor);
+        self.visit_planes(&mut visitor);
+        visitor.crossings
+    }
+
+    /// Whether two crossings are one within the bound of rounding, measured across the surfaces; with the first one's
+    /// [cosine](Self::cosine).
+    pub(crate) fn coincide(&self, (one, cosine): (&SurfaceCrossing, f32), other: &SurfaceCrossing) -> bool {
+        let error_bound = |crossing: &SurfaceCrossing| self.geometry.body(crossing.body).error_bound;
+        let across = (other.t - one.t).abs() * cosine.max(self.cosine(other));
+        across <= self.slack_at(one.t) + error_bound(one).max(error_bound(other))
+    }
+
+    /// How far from one at `t` crossings may lie along the ray that coincide with it, meters.
+    pub(crate) fn most_apart(&self, t: f32) -> f32 {
+        GRAZING * (self.slack_at(t) + self.geometry.largest_error_bound)
+    }
+
+    /// How far points at `t` along the ray may lie from their true places by rounding, meters.
+    fn slack_at(&self, t: f32) -> f32 {
+        error_bound_at(self.origin) + t * POINT_ROUNDING
+    }
+
+    /// |cos| of the angle between the ray and the normal where it crosses a surface.
+    pub(crate) fn cosine(&self, crossing: &SurfaceCrossing) -> f32 {
         // Of what is cut away, leaving is entering.
-        let leaving = self.geometry.joined.turned(ScalarWidth, body, leaving);
-        let cosines = self.geometry.span_and_cosines(ScalarWidth, body, self.origin, self.direction).1;
+        let leaving = self.geometry.joined.turned(ScalarWidth, crossing.body, crossing.leaving);
+        let cosines =
+            self.geometry.span_and_cosines(ScalarWidth, crossing.body, self.origin, self.direction).1;
         cosines[usize::from(leaving)]
     }
 }
 
-/// Writes down where a ray enters bodies, or leaves them.
+/// Writes down where a ray first enters bodies, or leaves them.
 struct CrossingVisitor {
-    leaving: bool,
     t_max: f32,
     crossings: Vec<SurfaceCrossing>,
+}
+
+impl CrossingVisitor {
+    fn note(&mut self, is_met: bool, crossing: SurfaceCrossing) {
+        if is_met && crossing.t <= self.t_max {
+            self.crossings.push(crossing);
+        }
+    }
 }
 
 impl BodyVisitor<ScalarWidth> for CrossingVisitor {
@@ -148,20 +182,12 @@ impl BodyVisitor<ScalarWidth> for CrossingVisitor {
     fn body(&mut self, query: &RayQuery<'_, ScalarWidth>, index: u32, is_near: bool) {
         if query.geometry.body(index).is_joined() {
             let JoinedHits { t, part, face, entering, leaving } = query.first_of_joined(index, is_near);
-            let is_met = if self.leaving { leaving } else { entering };
-            if is_met && t <= self.t_max {
-                self.crossings.push(SurfaceCrossing { t, face, body: part });
-            }
-            return;
+            return self.note(entering | leaving, SurfaceCrossing { t, face, body: part, leaving });
         }
-        let Some(meeting) = query.intersect_body(index, is_near) else { return };
-        let (is_met, t, face) = if self.leaving {
-            (meeting.leaving, meeting.exit, meeting.exit_face)
-        } else {
-            (meeting.entering, meeting.enter, meeting.enter_face)
-        };
-        if is_met && t <= self.t_max {
-            self.crossings.push(SurfaceCrossing { t, face, body: index });
-        }
+        let Some(met) = query.intersect_body(index, is_near) else { return };
+        let entry = SurfaceCrossing { t: met.enter, face: met.enter_face, body: index, leaving: false };
+        self.note(met.entering, entry);
+        let exit = SurfaceCrossing { t: met.exit, face: met.exit_face, body: index, leaving: true };
+        self.note(met.leaving, exit);
     }
 }

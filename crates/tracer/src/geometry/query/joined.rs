@@ -154,13 +154,13 @@ impl<'a, W: Width> RayQuery<'a, W> {
 }
 
 /// Rays side by side: origins, directions, and where they start.
-struct PacketRows {
+pub(crate) struct PacketRows {
     numbers: [[f32; MOST_LANES]; 6],
     starts: [u32; MOST_LANES],
 }
 
 impl PacketRows {
-    fn of<W: Width>(query: &RayQuery<'_, W>) -> Self {
+    pub(crate) fn of<W: Width>(query: &RayQuery<'_, W>) -> Self {
         let mut rows = Self { numbers: [[0.0; MOST_LANES]; 6], starts: [0; MOST_LANES] };
         let (o, d) = (query.origin, query.direction);
         for (row, numbers) in rows.numbers.iter_mut().zip([o.x, o.y, o.z, d.x, d.y, d.z]) {
@@ -170,7 +170,7 @@ impl PacketRows {
         rows
     }
 
-    fn lane(&self, lane: usize) -> RayPacket<ScalarWidth> {
+    pub(crate) fn lane(&self, lane: usize) -> RayPacket<ScalarWidth> {
         let [x, y, z, along_x, along_y, along_z] = self.numbers.map(|row| row[lane]);
         RayPacket {
             origin: Vector::new(x, y, z),

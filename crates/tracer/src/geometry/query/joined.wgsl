@@ -352,7 +352,11 @@ fn filter_through_joined(index: u32, ray: Ray, media: ptr<function, Media>, dist
             share = vec3(0.0);
             break;
         }
-        share *= filter_of(crossing.part);
+        if CEMENTED && body_is_cementable(index) {
+            note_crossing(crossing.t, crossing.part, !crossing.enters);
+        } else {
+            share *= filter_of(crossing.part);
+        }
         is_in = crossing.enters && !is_surface(walk.record);
         is_within = false;
         enter = crossing.t;

@@ -15,7 +15,6 @@ use crate::simd::{Float32 as _, MOST_LANES, Mask as _, SimdKernel, Width, Word a
 use crate::transport::camera::RenderCamera;
 use crate::transport::control::RenderControl;
 use crate::transport::counts::RayCounts;
-use crate::transport::interaction::SurfaceInteraction;
 use crate::transport::path::{PathState, Unobserved};
 use crate::transport::scene::RenderScene;
 use crate::transport::shading::{PacketSource, ShadingContext};
@@ -126,7 +125,7 @@ impl<W: Width> FirstHitPacket<W> {
             Self { hit, start: w.word(0), position: direction, normal: direction, light: background };
         if hit.any() {
             let hits = PacketHits { hit, ..hits };
-            let at = SurfaceInteraction::new::<FULL>(w, scene, &paths.rays, &hits);
+            let at = shading.interaction::<W, FULL>(w, paths, &hits);
             let light =
                 shading.direct_light::<W, FULL>(w, paths, &mut from, &membership, &at, &mut Unobserved);
             found.start = at.start;

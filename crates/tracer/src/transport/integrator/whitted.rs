@@ -21,7 +21,6 @@ use crate::simd::{Mask as _, Width};
 use crate::transport::camera::RenderCamera;
 use crate::transport::control::RenderControl;
 use crate::transport::counts::RayCounts;
-use crate::transport::interaction::SurfaceInteraction;
 use crate::transport::path::{PathState, SecondaryRays};
 use crate::transport::scene::RenderScene;
 use crate::transport::shading::{PacketSource, ShadingContext};
@@ -180,7 +179,7 @@ impl<'a> WhittedIntegrator<'a> {
             }
             return PacketRadiance { light: weighted(paths, is_whole, background), hits };
         }
-        let at = SurfaceInteraction::new::<FULL>(w, self.shading.scene, &paths.rays, &hits);
+        let at = self.shading.interaction::<W, FULL>(w, paths, &hits);
         secondary.on_hit(&at);
         let light = self.shading.direct_light::<W, FULL>(w, paths, &mut from, membership, &at, secondary);
         secondary.on_local_light(light);

@@ -10,6 +10,7 @@ use std::ops::Range;
 use crate::simd::vector::Vector;
 use crate::simd::{Float32 as _, MOST_LANES, Mask as _, Width, Word as _};
 use crate::transport::media::MediumStacks;
+use crate::transport::media::shadow_crossings::ShadowCrossings;
 use crate::transport::scene::RenderScene;
 use crate::transport::surface::exponential;
 
@@ -34,6 +35,8 @@ pub(crate) struct MediumIntervals {
     list: Vec<MediumInterval>,
     /// The intervals that a ray is in, the one entered last at the end.
     open: Vec<MediumInterval>,
+    /// What rays cross where bodies may be cemented.
+    pub(crate) crossings: ShadowCrossings,
 }
 
 impl MediumIntervals {
@@ -136,7 +139,7 @@ impl MediumIntervals {
         media_of: impl Fn(u32) -> (&'t MediumStacks, u32),
         mut take: impl FnMut(u32, [f32; 3]),
     ) {
-        let Self { list, open } = self;
+        let Self { list, open, .. } = self;
         sort_by_ray(list);
         for of_ray in list.chunk_by_mut(|a, b| a.ray == b.ray) {
             let ray = of_ray.first().map_or(0, |interval| interval.ray);

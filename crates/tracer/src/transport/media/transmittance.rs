@@ -3,7 +3,8 @@
 use crate::geometry::bvh::Bvh;
 use crate::geometry::bvh::packet::TraversalStack;
 use crate::geometry::joined::JoinedBody;
-use crate::geometry::query::joined::JoinedWalks;
+use crate::geometry::query::coincident::SurfaceCrossing;
+use crate::geometry::query::joined::{JoinedCrossing, JoinedWalks, PacketRows};
 use crate::geometry::query::{BodyIntersection, BodyVisitor, HitRecord, RayQuery};
 use crate::geometry::ray::POINT_ROUNDING;
 use crate::simd::scalar::ScalarWidth;
@@ -11,6 +12,7 @@ use crate::simd::vector::Vector;
 use crate::simd::{Float as _, Float32 as _, MOST_LANES, Mask as _, Width};
 use crate::transport::media::MediumStacks;
 use crate::transport::media::absorption::MediumIntervals;
+use crate::transport::media::shadow_crossings::ShadowCrossings;
 use crate::transport::scene::RenderScene;
 
 /// Where rays cross a body's surface before a light.
@@ -53,7 +55,20 @@ impl<W: Width> RayQuery<'_, W> {
             let left = intervals.left_after(self.w, scene, media);
             passed.share = Some(passed.share.unwrap_or_else(|| all_of(self.w)).times(left));
         }
+        if scene.geometry.has_cemented && !intervals.crossings.is_empty() {
+            let left = self.left_at_contacts(scene, &mut intervals.crossings);
+            passed.share = Some(passed.share.unwrap_or_else(|| all_of(self.w)).times(left).bounded());
+        }
         passed
+    }
+
+    /// What the surfaces of clear bodies that may be cemented let through.
+    #[cold]
+    #[inline(never)]
+    fn left_at_contacts(&self, scene: &RenderScene, crossings: &mut ShadowCrossings) -> Vector<W::R> {
+        let rays = PacketRows::of(self);
+        let [red, green, blue] = crossings.filters(scene, self.membership, |lane| rays.lane(lane));
+        Vector::new(self.w.load(&red), self.w.load(&green), self.w.load(&blue))
     }
 
     /// Every surface that one ray crosses on the way to a light at `distance`: the body, where, and whether the ray
@@ -161,6 +176,33 @@ impl<W: Width> RayQuery<'_, W> {
         let [red, green, blue] = passed.shares;
         let share = || Vector::new(self.w.load(&red), self.w.load(&green), self.w.load(&blue));
         Transmittance { lanes: lanes & !self.w.mask(passed.stopped), share: passed.is_filtered.then(share) }
+    }
+
+    /// What passes a joined body that may be cemented, but for its surfaces of clear parts: those are noted.
+    #[cold]
+    #[inline(never)]
+    fn note_contacts(
+        &self,
+        (index, distance): (u32, W::R),
+        lanes: W::M,
+        crossings: &mut ShadowCrossings,
+    ) -> Transmittance<W> {
+        let mut ends = [0.0; MOST_LANES];
+        distance.store(&mut ends);
+        let mut stopped = 0;
+        for (lane, mut walk) in self.walks(index, lanes).into_iter().flatten() {
+            while let Some(crossing) = walk.next()
+                && crossing.t < ends[lane]
+            {
+                if self.geometry.body(crossing.part).stops_light() {
+                    stopped |= 1 << lane;
+                    break;
+                }
+                let JoinedCrossing { t, part, face, enters } = crossing;
+                crossings.note_one(lane, SurfaceCrossing { t, face, body: part, leaving: !enters });
+            }
+        }
+        Transmittance { lanes: lanes & !self.w.mask(stopped), share: None }
     }
 
     /// [`Self::pass_joined`] for an intersection of simple parts, or a surface within one, of one material.
@@ -315,7 +357,8 @@ impl<'s, W: Width> TransmittanceVisitor<'s, W> {
         passed: Transmittance<W>,
         intervals: Option<&'s mut MediumIntervals>,
     ) -> Self {
-        let intervals = if scene.absorbs { intervals } else { None };
+        let is_noted = scene.absorbs || scene.geometry.has_cemented;
+        let intervals = if is_noted { intervals } else { None };
         let t_max = W::R::select(passed.lanes, distance, w.real(f32::NEG_INFINITY));
         Self { scene, distance, t_max, passed, intervals }
     }
@@ -332,8 +375,17 @@ impl<W: Width> BodyVisitor<W> for TransmittanceVisitor<'_, W> {
     #[inline(always)]
     fn body(&mut self, query: &RayQuery<'_, W>, index: u32, lanes: W::M) {
         if query.geometry.body(index).is_joined() {
-            let passed = query.pass_joined(self.scene, (index, self.distance), lanes & self.passed.lanes);
-            if let Some(intervals) = &mut self.intervals {
+            let lanes = lanes & self.passed.lanes;
+            let body = query.geometry.body(index);
+            let is_cemented =
+                query.geometry.has_cemented && body.is_cementable() && body.takes_light_within();
+            let passed = match &mut self.intervals {
+                Some(intervals) if is_cemented => {
+                    query.note_contacts((index, self.distance), lanes, &mut intervals.crossings)
+                }
+                _ => query.pass_joined(self.scene, (index, self.distance), lanes),
+            };
+            if let Some(intervals) = self.intervals.as_mut().filter(|_| self.scene.absorbs) {
                 query.note_joined(index, self.distance, passed.lanes, intervals);
             }
             self.passed.lanes = self.passed.lanes & (passed.lanes | !lanes);
@@ -359,13 +411,20 @@ impl<W: Width> BodyVisitor<W> for TransmittanceVisitor<'_, W> {
         if body.is_shadowless() {
             return;
         }
+        let both = in_front & exit.lt(self.distance);
         if let Some(intervals) = &mut self.intervals {
-            intervals.note::<W>(index, (in_front, enter), (within, exit.min(self.distance)));
+            if self.scene.absorbs {
+                intervals.note::<W>(index, (in_front, enter), (within, exit.min(self.distance)));
+            }
+            if query.geometry.has_cemented && body.is_cementable() {
+                intervals.crossings.note::<W>(index, enter, false, in_front);
+                intervals.crossings.note::<W>(index, exit, true, behind | both);
+                return;
+            }
         }
         if !crossed.any() {
             return;
         }
-        let both = in_front & exit.lt(self.distance);
         let material = self.scene.material(body);
         let all = self.passed.share.unwrap_or_else(|| all_of(query.w));
         let once = all.times_all(material.filter);

@@ -2,13 +2,13 @@
 
 use std::ops::Range;
 
-use catoptric_scene::{Body, BodyPart, Form, List, MaterialChoice, Scene, Shape};
+use catoptric_scene::{Body, BodyPart, Contact, Form, List, MaterialChoice, Scene, Shape};
 use glam::DAffine3;
 use rayon::prelude::*;
 
 use crate::geometry::Members;
 use crate::geometry::body::double::Body64;
-use crate::geometry::body::{PreparedBody, RenderBody, passage};
+use crate::geometry::body::{PreparedBody, RenderBody, contact_bits, passage};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::bvh::entry::BuildEntry;
 use crate::geometry::canonical::CanonicalBody;
@@ -17,6 +17,7 @@ use crate::geometry::ray::NO_BODY;
 use crate::geometry::space::RenderSpace;
 use crate::transport::scene::SceneBuildError;
 use crate::transport::surface::material::{MaterialTable, NamedMaterials, RenderMaterial};
+use crate::transport::surface::model::MaterialModel;
 use crate::transport::texture::solid::SolidNode;
 
 /// What is known of a scene's bodies before they are brought into the hierarchy's order.
@@ -61,10 +62,18 @@ struct ChunkNumbering {
     first_joined: u32,
 }
 
-/// What one thread finds out about some bodies.
-struct ChunkBuild<'a> {
+/// What all bodies of a scene share.
+#[derive(Clone, Copy)]
+struct BuildContext<'a> {
     named: &'a NamedMaterials<'a>,
     space: &'a RenderSpace,
+    /// What lies between bodies that touch.
+    contact: Contact,
+}
+
+/// What one thread finds out about some bodies.
+struct ChunkBuild<'a> {
+    around: BuildContext<'a>,
     bodies: Vec<RenderBody>,
     entries: Vec<BuildEntry>,
     planes: Vec<u32>,
@@ -110,14 +119,15 @@ impl BodyBuild {
     /// Prepares the bodies of a scene for rays in `space`.
     pub(crate) fn of(scene: &Scene, space: &RenderSpace) -> Result<Self, SceneBuildError> {
         let named = MaterialTable::named(scene);
+        let around = BuildContext { named: &named, space, contact: scene.environment.contact };
         let slices: Vec<&[Body]> = scene.bodies.slices().collect();
         let chunks = slices.par_chunks(SLICES).enumerate();
         let chunks: Vec<_> =
-            chunks.map(|(chunk, slices)| ChunkBuild::of(slices, chunk * CHUNK, (&named, space))).collect();
+            chunks.map(|(chunk, slices)| ChunkBuild::of(slices, chunk * CHUNK, around)).collect();
         // Of several undefined materials the first is told.
         let mut chunks = chunks.into_iter().collect::<Result<Vec<_>, _>>()?;
         let runs: Vec<_> = chunks.iter().flat_map(|chunk| &chunk.large_groups).flat_map(runs).collect();
-        let runs = runs.into_par_iter().map(|run| ChunkBuild::of_run(run, (&named, space)));
+        let runs = runs.into_par_iter().map(|run| ChunkBuild::of_run(run, around));
         chunks.extend(runs.collect::<Vec<_>>().into_iter().collect::<Result<Vec<_>, _>>()?);
         let mut table = MaterialTable::default();
         let mut all = Self {
@@ -220,13 +230,9 @@ impl NumberedBodies {
 
 impl<'a> ChunkBuild<'a> {
     /// Prepares some bodies, the first of which is at the place `first`.
-    fn of(
-        slices: &[&'a [Body]],
-        first: usize,
-        (named, space): (&'a NamedMaterials<'a>, &'a RenderSpace),
-    ) -> Result<Self, SceneBuildError> {
+    fn of(slices: &[&'a [Body]], first: usize, around: BuildContext<'a>) -> Result<Self, SceneBuildError> {
         let count = slices.iter().map(|slice| slice.len()).sum();
-        let mut chunk = Self::empty((named, space), count);
+        let mut chunk = Self::empty(around, count);
         for (body, index) in slices.iter().copied().flatten().zip(first as u32..) {
             chunk.add(body, index)?;
         }
@@ -234,20 +240,16 @@ impl<'a> ChunkBuild<'a> {
     }
 
     /// Prepares some members of a large group.
-    fn of_run(
-        run: MemberRun<'a>,
-        around: (&'a NamedMaterials<'a>, &'a RenderSpace),
-    ) -> Result<Self, SceneBuildError> {
+    fn of_run(run: MemberRun<'a>, around: BuildContext<'a>) -> Result<Self, SceneBuildError> {
         let mut chunk = Self { parts_before: run.first_part, ..Self::empty(around, 0) };
         chunk.add_members(run.place, run.parts, run.material, run.frame)?;
         Ok(chunk)
     }
 
     /// With room for `count` bodies of the scene.
-    fn empty((named, space): (&'a NamedMaterials<'a>, &'a RenderSpace), count: usize) -> Self {
+    fn empty(around: BuildContext<'a>, count: usize) -> Self {
         Self {
-            named,
-            space,
+            around,
             bodies: Vec::with_capacity(count),
             entries: Vec::with_capacity(count),
             planes: Vec::new(),
@@ -306,15 +308,16 @@ impl<'a> ChunkBuild<'a> {
         canonical: &CanonicalBody,
         choice: &'a MaterialChoice,
     ) -> Result<PreparedBody, SceneBuildError> {
-        let mut prepared = RenderBody::prepare_shape(canonical, self.space);
+        let mut prepared = RenderBody::prepare_shape(canonical, self.around.space);
         let body = &mut prepared.body;
-        let found = self.materials.find(self.named, choice);
+        let found = self.materials.find(self.around.named, choice);
         let (material, source) = found.ok_or_else(|| place.undefined_material(choice))?;
         body.material = material;
-        body.passes = passage(self.materials.prepared(material).is_transparent(), place.body.shadow);
+        let own = self.materials.prepared(material);
+        body.passes = passage_of(own.is_transparent(), own, place.body, self.around.contact);
         if let Some(solid) = source.pattern().and_then(|pattern| pattern.solid.as_ref()) {
             body.solid = self.solids.len() as u32;
-            self.solids.extend(SolidNode::row(solid, canonical, self.space, body.is_double()));
+            self.solids.extend(SolidNode::row(solid, canonical, self.around.space, body.is_double()));
         }
         Ok(prepared)
     }
@@ -398,19 +401,30 @@ impl<'a> ChunkBuild<'a> {
         let number = self.joined.len() as u32;
         let own_box = is_bounded.then(|| {
             let frame = frame * own_bounds.frame();
-            DAffine3 { translation: self.space.render_from_world(frame.translation), ..frame }
+            DAffine3 { translation: self.around.space.render_from_world(frame.translation), ..frame }
         });
         let mut whole = RenderBody::joined(number, own_box, error_bound);
         let bounds = whole.bounds().map_or(bounds, |own| own.common(bounds));
-        let found = self.materials.find(self.named, material);
+        let found = self.materials.find(self.around.named, material);
         (whole.material, _) = found.ok_or_else(|| place.undefined_material(material))?;
         let is_transparent = members.iter().any(|part| part.body.is_transparent());
-        whole.passes = passage(is_transparent, place.body.shadow);
+        let own = self.materials.prepared(whole.material);
+        whole.passes = match tree.is_surface() && is_transparent {
+            true => passage(is_transparent, place.body.shadow),
+            false => passage_of(is_transparent, own, place.body, self.around.contact),
+        };
         self.joined.push(JoinedBuild { first: self.members.len() as u32, tree });
         self.members.extend(members);
         let search = if is_bounded { SearchedBounds::Bounded(bounds) } else { SearchedBounds::Endless };
         Ok((whole, Some(search)))
     }
+}
+
+/// How rays and light pass a body of this material, and what lies between it and others, as [`RenderBody::passes`] has it.
+pub(crate) fn passage_of(is_transparent: bool, material: &RenderMaterial, body: &Body, scene: Contact) -> u8 {
+    // Thin sheets and clear surfaces have two sides, neither of which goes away where it touches something.
+    let is_sheet = matches!(material.law, MaterialModel::ThinDielectric(_));
+    passage(is_transparent, body.shadow) | if is_sheet { 0 } else { contact_bits(scene, body.contact) }
 }
 
 /// So many simple parts of a group are prepared by one thread.

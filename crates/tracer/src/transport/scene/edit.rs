@@ -6,7 +6,7 @@ use std::sync::{Arc, OnceLock};
 use catoptric_scene::{Body, Material, Scene, Shape, Tracing};
 
 use crate::geometry::Accelerator;
-use crate::geometry::body::{PreparedBody, RenderBody, passage};
+use crate::geometry::body::{PreparedBody, RenderBody};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::bvh::refit::NodePath;
 use crate::geometry::canonical::CanonicalBody;
@@ -17,6 +17,7 @@ use crate::transport::camera::RenderCamera;
 use crate::transport::color::linear_rgb;
 use crate::transport::environment::EnvironmentLight;
 use crate::transport::light::RenderLight;
+use crate::transport::scene::build::passage_of;
 use crate::transport::scene::log::SceneChanges;
 use crate::transport::scene::{RenderScene, extent_of};
 use crate::transport::surface::material::RenderMaterial;
@@ -53,7 +54,9 @@ impl RenderScene {
     /// body needs double precision. Whether the scene [suits](Self::suits) the camera is asked apart.
     pub fn edit(&self, before: &Scene, after: &Scene, changed: &[usize]) -> Option<SceneEdit> {
         let Accelerator::Many(bvh) = &self.geometry.hierarchy else { return None };
-        let is_known = before.bodies.len() == after.bodies.len() && before.materials == after.materials;
+        let is_known = before.bodies.len() == after.bodies.len()
+            && before.materials == after.materials
+            && before.environment.contact == after.environment.contact;
         if !is_known || changed.len() > after.bodies.len() / 64 + 1 || self.added > Self::MOST_ADDED {
             return None;
         }
@@ -78,7 +81,11 @@ impl RenderScene {
                 cost += bvh.growth(path, bounds);
             }
             let material = after.material(&new.material)?;
-            edit.changes.push(BodyEdit::new(place, path, body, material, (new, &self.geometry.space)));
+            let change = BodyEdit::new(place, path, body, material, (new, after, &self.geometry.space));
+            if !self.geometry.has_cemented && self.becomes_cemented(&change.body) {
+                return None;
+            }
+            edit.changes.push(change);
         }
         bvh.allows(cost).then_some(edit)
     }
@@ -150,6 +157,16 @@ impl RenderScene {
         }
     }
 
+    /// Whether bodies may be cemented to what they touch with this one among them, which were not before.
+    fn becomes_cemented(&self, body: &RenderBody) -> bool {
+        match self.geometry.has_transparency {
+            true => body.cements(),
+            false => {
+                body.is_transparent() && self.geometry.bodies.iter().chain([body]).any(RenderBody::cements)
+            }
+        }
+    }
+
     fn replace(&mut self, change: &BodyEdit) {
         let Some(old) = self.geometry.bodies.get(change.place as usize) else { return };
         let (material, solid) = (old.material, old.solid);
@@ -206,10 +223,11 @@ impl BodyEdit {
         path: Option<NodePath>,
         mut body: RenderBody,
         of: &Material,
-        (source, space): (&Body, &RenderSpace),
+        (source, scene, space): (&Body, &Scene, &RenderSpace),
     ) -> Self {
         let material = RenderMaterial::new(of);
-        body.passes = passage(material.is_transparent(), source.shadow);
+        let contact = scene.environment.contact;
+        body.passes = passage_of(material.is_transparent(), &material, source, contact);
         let solid = of.pattern().and_then(|pattern| pattern.solid.as_ref());
         let row = |solid| SolidNode::row(solid, &CanonicalBody::of(source), space, false);
         Self { place, body, material, solids: solid.map(row).unwrap_or_default(), path }

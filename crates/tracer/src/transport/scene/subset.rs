@@ -5,6 +5,7 @@ use std::sync::{Arc, OnceLock};
 
 use catoptric_scene::Scene;
 
+use crate::geometry::body::RenderBody;
 use crate::geometry::bvh::entry::BuildEntry;
 use crate::geometry::{Accelerator, AcceleratorChoice, Geometry};
 use crate::transport::scene::RenderScene;
@@ -53,10 +54,10 @@ impl RenderScene {
         let hierarchy = Accelerator::over(&mut entries, AcceleratorChoice::Quickest);
         let mut order: Vec<u32> = entries.iter().map(BuildEntry::place).chain(planes).collect();
         let joined = self.geometry.joined.only(&self.geometry.bodies, &mut order);
+        let bodies: Vec<RenderBody> = order.iter().map(|&index| *self.geometry.body(index)).collect();
         let geometry = Geometry {
             joined,
             members: Arc::clone(&self.geometry.members),
-            bodies: order.iter().map(|&index| *self.geometry.body(index)).collect(),
             numbers: order
                 .iter()
                 .filter_map(|&index| self.geometry.numbers.get(index as usize))
@@ -65,7 +66,9 @@ impl RenderScene {
             bounded: entries.len() as u32,
             hierarchy,
             spheres: entries.iter().map(|entry| *self.geometry.sphere(entry.place())).collect(),
-            has_transparency: order.iter().any(|&index| self.geometry.body(index).is_transparent()),
+            has_transparency: bodies.iter().any(RenderBody::is_transparent),
+            has_cemented: self.geometry.has_cemented && Geometry::has_cemented(&bodies),
+            bodies,
             doubles: Arc::clone(&self.geometry.doubles),
             space: self.geometry.space,
             largest_extent: self.geometry.largest_extent,

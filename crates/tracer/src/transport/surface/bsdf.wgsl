@@ -133,7 +133,7 @@ fn eval_microfacets(
     var reflected = facet.reflected;
     if is_dielectric(at) {
         var beyond = *media;
-        let ratio = media_cross(&beyond, (*at).start);
+        let ratio = media_cross(&beyond, (*at).start, (*at).contact);
         if rough_interior(at) {
             let through = transmitted_density(to_viewer, to_light, normal, ratio, alpha);
             return bounded(vec3(through.share * (1.0 - fresnel(through.cos, ratio))));

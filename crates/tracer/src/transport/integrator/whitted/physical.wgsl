@@ -20,6 +20,8 @@ struct Split {
     ground: vec3<f32>,
     // Whether the way to the surface was no mere rounding.
     moves: bool,
+    // Of a cemented contact, the start of a ray that is reflected at the other surface; else NO_START.
+    contact: u32,
 }
 
 // Rays that wait while a reflected one is followed. That one always is a generation further on, so that no more than one
@@ -145,6 +147,9 @@ fn trace(primary: Ray, first_body: ptr<function, u32>) -> vec3<f32> {
             light += follower.weight * sky_light(follower.ray.direction);
         } else {
             var at = interaction(follower.ray, hit);
+            if CEMENTED && at.contact != NO_START {
+                cement(&at, &media);
+            }
             light += follower.weight * direct_light(follower.ray, &at, follower.generation, &media);
             if follower.generation < frame.generations || (HAS_TRANSPARENCY && body_is_transparent(at.body)) {
                 goes_on = scatter(&follower, &at, &media);

@@ -46,7 +46,7 @@ fn trace(primary: Ray, first_body: ptr<function, u32>) -> vec3<f32> {
                 var reflection = at.material.reflection;
                 if is_clear {
                     var beyond = media;
-                    let ratio = media_cross(&beyond, at.start);
+                    let ratio = media_cross(&beyond, at.start, NO_START);
                     let bent = refract_through(ray.direction, at.normal, ratio);
                     let passing = bounded(weight * at.material.filter_color);
                     // A ray that goes straight on is the same ray still, unless it stands still.

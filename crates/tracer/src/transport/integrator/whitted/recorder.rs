@@ -7,23 +7,25 @@ use glam::{UVec2, Vec3};
 
 use crate::geometry::membership::BodyMembership;
 use crate::geometry::query::candidates::Candidates;
+use crate::geometry::query::coincident::SurfaceCrossing;
 use crate::geometry::query::{HitRecord, RayQuery, found_in};
-use crate::geometry::ray::{Ray, RayOrigin, RayPacket};
+use crate::geometry::ray::{NO_START, Ray, RayOrigin, RayPacket};
 use crate::simd::scalar::ScalarWidth;
 use crate::simd::vector::Vector;
 use crate::transport::integrator::whitted::{PacketRadiance, WhittedIntegrator};
 use crate::transport::interaction::SurfaceInteraction;
 use crate::transport::media::MediumStacks;
+use crate::transport::media::shadow_crossings::{ShadowContact, contacts, filter_of};
 use crate::transport::media::transmittance::Transmittance;
 use crate::transport::path::{InterfaceCrossing, PathObserver, PathState, SecondaryRays};
 use crate::transport::pick::RayIntersection;
 use crate::transport::record::{
-    BranchOutcome, BranchRecord, InterfaceRecord, LightContribution, LightTerm, RayKind, RayRecord,
-    ShadowCrossing, ShadowRecord, SurfaceRecord,
+    BranchOutcome, BranchRecord, ContactRecord, InterfaceRecord, LightContribution, LightTerm, RayKind,
+    RayRecord, ShadowCrossing, ShadowRecord, SurfaceRecord,
 };
 use crate::transport::sampler::Sampler;
 use crate::transport::scene::RenderScene;
-use crate::transport::shading::PacketSource;
+use crate::transport::shading::{PacketSource, ShadingContext};
 use crate::transport::surface::bsdf::BsdfValue;
 use crate::transport::surface::highlight_cosine;
 use crate::transport::texture::solid::{SolidNode, patterned};
@@ -121,6 +123,31 @@ impl<'a> PathRecorder<'a> {
 }
 
 impl PathRecorder<'_> {
+    /// Which crossings of a shadow ray, that are in order, are cemented contacts.
+    fn shadow_contacts(
+        &self,
+        rays: &RayPacket<ScalarWidth>,
+        inside: &BodyMembership,
+        hits: &[(HitRecord, RayOrigin)],
+    ) -> Vec<ShadowContact> {
+        let geometry = &self.scene.geometry;
+        let may_join = |(hit, whole): &(HitRecord, RayOrigin)| {
+            geometry.has_cemented
+                && geometry.body(whole.body).is_cementable()
+                && !geometry.body(hit.body).stops_light()
+        };
+        let crossing = |(hit, whole): &(HitRecord, RayOrigin)| SurfaceCrossing {
+            t: hit.t,
+            face: 0.0,
+            body: hit.body,
+            leaving: whole.inwards,
+        };
+        let mut joining: Vec<_> = hits.iter().filter(|hit| may_join(hit)).map(crossing).collect();
+        let mut found = contacts(self.scene, rays, inside, &mut joining).into_iter();
+        let contact = |hit| if may_join(hit) { found.next() } else { None };
+        hits.iter().map(contact).map(Option::unwrap_or_default).collect()
+    }
+
     fn send(&mut self, kind: RayKind, (coefficient, density): (Vec3, f32), beam: PathState<ScalarWidth>) {
         let is_rough = self.at.is_some_and(|at| at.bsdf.rough);
         self.sent.push(SentPath { beam, kind, coefficient, density: is_rough.then_some(density) });
@@ -175,21 +202,26 @@ impl PathObserver<ScalarWidth> for PathRecorder<'_> {
             let material = media.last().map(|&body| self.scene.material(self.scene.geometry.body(body)));
             material.map_or(Vec3::ONE, |material| material.left_after(way).into())
         };
+        let contacts = self.shadow_contacts(rays, inside, &hits);
         let mut crossings = Vec::new();
-        for (hit, RayOrigin { body: whole, inwards: leaving }) in hits {
-            let body = self.scene.geometry.body(hit.body);
+        for ((hit, RayOrigin { body: whole, inwards: leaving }), contact) in hits.into_iter().zip(contacts) {
             let mut filter = None;
-            if !body.stops_light() {
-                let own = Vec3::from(self.scene.material(body).filter);
+            if !self.scene.geometry.body(hit.body).stops_light() {
+                let own = Vec3::from(filter_of(self.scene, hit.body, contact));
                 filter = Some(own * left_until(hit.t, &media));
                 media.retain(|&other| other != whole);
                 if !leaving {
                     media.push(whole);
                 }
             }
+            let into = match contact {
+                ShadowContact::None => None,
+                ShadowContact::Into(other) => self.scene.scene_index(other),
+                ShadowContact::Behind => continue,
+            };
             let part = self.scene.geometry.part(hit.body);
             let Some(body) = self.scene.scene_index(hit.body) else { continue };
-            crossings.push(ShadowCrossing { body, part, distance: hit.t, leaving, filter });
+            crossings.push(ShadowCrossing { body, part, distance: hit.t, leaving, filter, into });
         }
         let through_last = left_until(distance, &media);
         if let Some(term) = self.lights.last_mut() {
@@ -358,14 +390,19 @@ impl<'a> WhittedIntegrator<'a> {
         let beyond = if is_last { Some(self.growth_beyond(beam, at)) } else { None };
         let grown = beyond.as_ref().unwrap_or(&scribe);
         let interface = grown.crossing.map(|InterfaceCrossing { ratio, passes }| {
-            let beyond = self
-                .shading
-                .media
-                .interface(self.shading.scene, &self.shading.waves, beam.media, at.start)
-                .beyond;
+            let (_, beyond) =
+                self.shading.cross_interface::<ScalarWidth, true>(ScalarWidth, beam.media, at, true);
             let ior_beyond = self.shading.media.ior(self.shading.scene, &self.shading.waves, beyond);
-            InterfaceRecord { ior_beyond, ratio, is_total: !passes }
+            InterfaceRecord {
+                ior_beyond,
+                ratio,
+                is_total: !passes,
+                contact: self.contact(beam.media, at, beyond),
+            }
         });
+        let is_seamless =
+            interface.and_then(|interface| interface.contact).is_some_and(|contact| contact.is_seamless);
+        let unless_seamless = |coefficient: f32| if is_seamless { 0.0 } else { coefficient };
         let is_total = interface.is_some_and(|interface| interface.is_total);
         let weight = beam.weight.times(scribe.through);
         let reflected = self.branch(weight, grown.reflected, is_last);
@@ -386,18 +423,35 @@ impl<'a> WhittedIntegrator<'a> {
             color: color.into(),
             second_share: solids.first().map(|solid| solid.share(point_of_solid)),
             law: material.law.name(),
-            alpha: material.alpha,
-            ambient_coefficient: material.ambient,
+            alpha: unless_seamless(material.alpha),
+            ambient_coefficient: unless_seamless(material.ambient),
             ambient_light: self.shading.scene.ambient.into(),
             ambient: at.bsdf.ambient.into(),
-            diffuse_coefficient: material.diffuse,
-            specular_coefficient: material.specular,
+            diffuse_coefficient: unless_seamless(material.diffuse),
+            specular_coefficient: unless_seamless(material.specular),
             shininess: material.shininess,
             lights: scribe.lights,
             interface,
             reflected,
             refracted,
         }
+    }
+
+    /// The cemented contact of a ray in `media`, if it has come to one.
+    fn contact(
+        &self,
+        media: u32,
+        at: &SurfaceInteraction<ScalarWidth>,
+        beyond: u32,
+    ) -> Option<ContactRecord> {
+        let ShadingContext { scene, media: table, waves, .. } = &self.shading;
+        if at.contact == NO_START {
+            return None;
+        }
+        let place = |start: u32| scene.scene_index(RayOrigin::of_word(start).body);
+        let (own, other) = (place(at.start)?, place(at.contact)?);
+        let bodies = if at.bsdf.inside { [own, other] } else { [other, own] };
+        Some(ContactRecord { bodies, is_seamless: table.are_alike(scene, waves, media, beyond) })
     }
 
     /// What would grow from a surface from which no ray goes on any more.

@@ -89,7 +89,7 @@ impl WhittedIntegrator<'_> {
         w.run(
             #[inline(always)]
             || {
-                let (ratio, _) = self.shading.cross_interface(w, paths.media, at.start, at_limit);
+                let (ratio, _) = self.shading.cross_interface::<W, FULL>(w, paths.media, &at, at_limit);
                 // Between equal indices there is no surface that could be rough.
                 let straight = at_limit & ratio.eq(w.real(1.0));
                 if straight.any() {
@@ -172,7 +172,7 @@ impl WhittedIntegrator<'_> {
         context: &ScatterContext<'_, W>,
         transparent: W::M,
     ) -> DielectricInterface<W> {
-        let (ratio, beyond) = self.shading.cross_interface(w, media, context.at.start, transparent);
+        let (ratio, beyond) = self.shading.cross_interface::<W, FULL>(w, media, context.at, transparent);
         let dirac = context.bsdf.dirac::<FULL>(w, paths.rays.direction, ratio, transparent);
         DielectricInterface { ratio, beyond, dirac }
     }

@@ -10,15 +10,16 @@ struct MediumTransition {
     filter_color: vec3<f32>,
 }
 
-// A ray in media, which become those beyond, across the surface where `start` is that of one that is reflected.
+// A ray in media, which become those beyond, across the surface where `starts` are those of rays that are reflected: there,
+// and at the other surface of a cemented contact.
 fn crossing(
     direction: vec3<f32>,
     normal: vec3<f32>,
-    start: u32,
+    starts: vec2<u32>,
     material: Material,
     media: ptr<function, Media>,
 ) -> MediumTransition {
-    let ratio = media_cross(media, start);
+    let ratio = media_cross(media, starts.x, starts.y);
     let bent = refract_through(direction, normal, ratio);
     var reflection = material.reflection;
     var filter_color: vec3<f32>;
@@ -29,8 +30,11 @@ fn crossing(
     } else if material.law == LAW_THIN_DIELECTRIC {
         reflection = sheet_reflectance(material, cos);
         filter_color = tint_of(material) * (1.0 - reflection);
+    } else if material.law == LAW_NOTHING {
+        reflection = 0.0;
+        filter_color = vec3(1.0);
     } else {
-        filter_color = filter_of(start & NO_START);
+        filter_color = filter_of(starts.x & NO_START);
     }
     // Total internal reflection: all of the light, and nothing twice.
     reflection = select(1.0, reflection, bent.passes);
@@ -55,7 +59,7 @@ fn let_through(across: MediumTransition, ground: Macrosurface, filter_color: vec
 // Sends a ray through a surface, if it carries anything: it waits.
 fn send_through(ray: Ray, weight: vec3<f32>, generation: u32, at: SurfaceInteraction, ground: Macrosurface, media: Media) -> vec3<f32> {
     var beyond = media;
-    let across = crossing(ray.direction, at.normal, at.start, at.material, &beyond);
+    let across = crossing(ray.direction, at.normal, vec2(at.start, at.contact), at.material, &beyond);
     let through = let_through(across, ground, across.filter_color);
     let passing = bounded(weight * through.weight);
     // A ray that goes straight on is the same ray still, unless it stands still; in the last generation only that goes on.
@@ -71,14 +75,14 @@ fn send_through(ray: Ray, weight: vec3<f32>, generation: u32, at: SurfaceInterac
 // Lets each wave of a white ray wait for its turn. What is reflected of all together.
 fn disperse(ray: Ray, weight: vec3<f32>, generation: u32, at: SurfaceInteraction, ground: Macrosurface, media: Media) -> vec3<f32> {
     let here = Ray(at.position, ray.slack, ray.direction, at.start);
-    splits[waits] = Split(at.normal, 0u, ground.normal, at.t > ray.slack);
+    splits[waits] = Split(at.normal, 0u, ground.normal, at.t > ray.slack, at.contact);
     waiting[waits] = PathState(here, weight, generation, media);
     waits += 1u;
     var reflection = vec3(0.0);
     for (var wave = 0u; wave < WAVE_COUNT; wave++) {
         var beyond = media;
         media_colored(&beyond, wave);
-        let across = crossing(ray.direction, at.normal, at.start, at.material, &beyond);
+        let across = crossing(ray.direction, at.normal, vec2(at.start, at.contact), at.material, &beyond);
         reflection += wave_color(wave) * across.reflection;
     }
     return reflection;
@@ -96,7 +100,8 @@ fn send_wave(
     let waits_there = splits[place];
     let material = material_of(ray.start & NO_START);
     media_colored(media, wave);
-    let across = crossing(ray.direction, waits_there.normal, ray.start, material, media);
+    let starts = vec2(ray.start, waits_there.contact);
+    let across = crossing(ray.direction, waits_there.normal, starts, material, media);
     let ground = Macrosurface(waits_there.ground, material.alpha);
     let through = let_through(across, ground, across.filter_color * wave_color(wave));
     let passing = bounded(waiting[place].weight * through.weight);
