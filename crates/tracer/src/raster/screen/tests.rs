@@ -65,7 +65,7 @@ fn find_first_hits(buffer: &mut GBuffer, scene: &RenderScene, sample: u32) {
             let position: Vector<f32> = (position - scene.geometry.space.origin).as_vec3().into();
             let start = RayOrigin { body: hit.body, inwards: hit.leaving }.word();
             buffer.hits.positions[index] = position.into();
-            buffer.hits.normals[index] = glam::Vec3::from(normal).to_array();
+            buffer.hits.normals[index] = normal.to_array();
             buffer.hits.surfaces[index] = SurfaceTexel { depth: screen_depth.of_point(position), start };
         }
     }
