@@ -111,6 +111,8 @@ pub trait Word: Copy {
     fn like(self, value: u32) -> Self;
     /// Whether each equals `value`.
     fn is(self, value: u32) -> Self::Mask;
+    /// Whether each equals that of `other`.
+    fn equals(self, other: Self) -> Self::Mask;
     /// Whether each has one of these bits.
     fn has(self, bits: u32) -> Self::Mask;
     /// The sum, wrapping.
@@ -213,4 +215,13 @@ pub(crate) trait SceneKernel: SimdKernel {
 
     /// What is run in widths for which one kind of code is enough.
     fn general(self) -> Self::General;
+}
+
+/// Calls `act` for each lane whose bit is set.
+#[inline(always)]
+pub(crate) fn each_lane(mut lanes: u32, mut act: impl FnMut(usize)) {
+    while lanes != 0 {
+        act(lanes.trailing_zeros() as usize % MOST_LANES);
+        lanes &= lanes - 1;
+    }
 }

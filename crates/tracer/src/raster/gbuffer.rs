@@ -1,25 +1,23 @@
 //! The geometry buffer: for each pixel the point that it shows, and how it is lit (Saito, Takahashi 1990).
 
 pub(crate) mod depth_pyramid;
-pub(crate) mod first_hits;
 
 use catoptric_picture::{Picture, SizeError};
-use glam::DVec2;
+use glam::{DVec2, UVec2};
 
 use crate::geometry::body::SurfacePoint;
-use crate::geometry::ray::{NO_BODY, Ray, RayOrigin};
+use crate::geometry::ray::{NO_BODY, RayOrigin};
 use crate::raster::error::MethodError;
 use crate::raster::gbuffer::depth_pyramid::DepthPyramid;
-use crate::raster::gbuffer::first_hits::find_first_hits;
-use crate::raster::point_shader::{PointShader, color_at, exact, vector};
+use crate::raster::point_shader::{PointShader, color_at, exact};
 use crate::raster::sample_sums::FrameSize;
 use crate::simd::vector::Vector;
-use crate::transport::camera::RenderCamera;
+use crate::transport::camera::{RenderCamera, ScreenDepth};
 use crate::transport::control::RenderControl;
 use crate::transport::counts::RayCounts;
+use crate::transport::render::FirstHitBuffers;
 use crate::transport::sampling::sample_offset;
 use crate::transport::scene::RenderScene;
-use crate::transport::surface::{mend_unit, reflect};
 
 /// The point that a pixel shows.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,7 +28,7 @@ pub(crate) struct GBufferTexel {
     pub(crate) depth: f32,
     /// World space, meters.
     pub(crate) position: Vector<f32>,
-    /// Unit normal facing the viewer; of background, the direction of view.
+    /// Unit normal facing the viewer.
     pub(crate) normal: Vector<f32>,
 }
 
@@ -48,18 +46,6 @@ impl GBufferTexel {
     fn point(&self, scene: &RenderScene) -> SurfacePoint<f32> {
         let in_body = scene.geometry.body(self.start.body).point_in_body(self.position);
         SurfacePoint { in_body, in_world: self.position, normal: self.normal }
-    }
-
-    /// The direction of the ray that is reflected to the viewer.
-    pub(crate) fn reflected(&self, camera: &RenderCamera) -> Vector<f32> {
-        let direction = -vector(camera.toward_viewer(exact(self.position)));
-        mend_unit(reflect(direction, self.normal))
-    }
-
-    /// The ray that is reflected to the viewer.
-    pub(crate) fn reflected_ray(&self, camera: &RenderCamera) -> Ray {
-        let direction = self.reflected(camera);
-        Ray { origin: self.position.into(), direction: direction.into(), start: self.start }
     }
 }
 
@@ -107,23 +93,43 @@ pub(crate) struct GBuffer {
     pub(crate) frame: FrameSize,
     /// Where the sample lies in its pixel.
     pub(crate) offset: DVec2,
-    pub(crate) texels: Vec<GBufferTexel>,
+    depth: ScreenDepth,
+    pub(crate) hits: FirstHitBuffers,
     pub(crate) depths: DepthPyramid,
     /// The local terms.
-    pub(crate) lit: Vec<Vector<f32>>,
+    pub(crate) lit: Vec<[f32; 3]>,
     /// What reflected rays brought.
-    pub(crate) reflected: Vec<Vector<f32>>,
+    pub(crate) reflected: Vec<[f32; 3]>,
 }
 
 impl GBuffer {
-    pub(crate) fn new(frame: FrameSize) -> Result<Self, SizeError> {
+    pub(crate) fn new(frame: FrameSize, camera: &RenderCamera) -> Result<Self, SizeError> {
+        let hits = FirstHitBuffers {
+            positions: frame.touched()?,
+            normals: frame.touched()?,
+            surfaces: frame.touched()?,
+        };
         Ok(Self {
             frame,
             offset: sample_offset(0),
-            texels: frame.buffer(GBufferTexel::EMPTY)?,
+            depth: ScreenDepth::new(camera),
+            hits,
             depths: DepthPyramid::new(frame),
-            lit: frame.buffer(NOTHING)?,
-            reflected: frame.buffer(NOTHING)?,
+            lit: frame.touched()?,
+            reflected: frame.zeroed()?,
+        })
+    }
+
+    /// What a pixel shows, if it is one.
+    pub(crate) fn texel(&self, pixel: usize) -> Option<GBufferTexel> {
+        let surface = self.hits.surfaces.get(pixel)?;
+        let [position, normal] = [&self.hits.positions, &self.hits.normals]
+            .map(|plane| plane.get(pixel).map_or(NOTHING, |&[x, y, z]| Vector::new(x, y, z)));
+        Some(if surface.is_empty() {
+            GBufferTexel::EMPTY
+        } else {
+            let depth = self.depth.meters(surface.depth);
+            GBufferTexel { start: RayOrigin::of_word(surface.start), depth, position, normal }
         })
     }
 
@@ -136,20 +142,23 @@ impl GBuffer {
         control: &RenderControl,
     ) -> Result<RayCounts, MethodError> {
         self.offset = sample_offset(sample);
-        let Self { frame, texels, lit, .. } = self;
-        find_first_hits((scene, camera), *frame, sample, control, texels, lit)
+        let size = UVec2::new(self.frame.width as u32, self.frame.height as u32);
+        Ok(self.hits.find(&mut self.lit, (scene, camera), size, sample, control)?)
     }
 
     /// A layer as a picture.
     pub(crate) fn picture(&self, scene: &RenderScene, layer: GBufferLayer) -> Result<Picture, SizeError> {
-        let nearest = self.texels.iter().map(|texel| texel.depth).fold(f32::INFINITY, f32::min);
+        let depths = self.hits.surfaces.iter().map(|texel| texel.depth);
+        let nearest = self.depth.meters(depths.fold(ScreenDepth::NOTHING, f32::min));
         let color = |index: usize| -> Option<Vector<f32>> {
             match layer {
-                GBufferLayer::Lit => return self.lit.get(index).copied(),
-                GBufferLayer::Reflected => return self.reflected.get(index).copied(),
+                GBufferLayer::Lit => return self.lit.get(index).map(|&[x, y, z]| Vector::new(x, y, z)),
+                GBufferLayer::Reflected => {
+                    return self.reflected.get(index).map(|&[x, y, z]| Vector::new(x, y, z));
+                }
                 _ => {}
             }
-            let texel = self.texels.get(index).filter(|texel| !texel.is_empty())?;
+            let texel = self.texel(index).filter(|texel| !texel.is_empty())?;
             let material = scene.material(scene.geometry.body(texel.start.body));
             Some(match layer {
                 GBufferLayer::Depth => Vector::splat(0.0, [nearest / texel.depth; 3]),
@@ -180,7 +189,7 @@ pub(crate) fn seen(
     let ray = camera.ray(at, size);
     let rays = ray.alone();
     let Some(hit) = probe.primary(&ray) else {
-        return GBufferTexel { normal: rays.direction, ..GBufferTexel::EMPTY };
+        return GBufferTexel::EMPTY;
     };
     let point = scene.geometry.surface_point(hit.body, (rays.origin, rays.direction), hit.t, hit.leaving);
     GBufferTexel {

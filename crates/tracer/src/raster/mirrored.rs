@@ -5,15 +5,16 @@ pub(crate) mod reflections;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
+use catoptric_picture::{Picture, SizeError};
 use rayon::prelude::*;
 
-use crate::geometry::ray::NO_BODY;
+use crate::geometry::ray::{INWARDS, NO_START};
 use crate::raster::cube_map::active::ActiveCubeMaps;
 use crate::raster::cube_map::cache::{CubeMapUse, CubeMaps};
 use crate::raster::cube_map::proxy::ParallaxBox;
 use crate::raster::error::MethodError;
-use crate::raster::gbuffer::{GBuffer, GBufferTexel};
-use crate::raster::mirrored::reflections::{ReflectionKernel, Reflections};
+use crate::raster::gbuffer::GBuffer;
+use crate::raster::mirrored::reflections::{BandLight, ReflectionKernel, Reflections};
 use crate::raster::output::{FirstSampleBuffers, MethodOutput};
 use crate::raster::pass::PassName;
 use crate::raster::point_shader::reflection_of;
@@ -57,8 +58,8 @@ pub(crate) fn draw(
     let frame = FrameSize::new(render)?;
     let samples = render.samples.max(1);
     control.expect(2 * frame.pixels() as u64 * u64::from(samples));
-    let mut canvas = SampleSums::new(frame)?;
-    let mut buffer = GBuffer::new(frame)?;
+    let mut canvas = MirrorCanvas::new(frame, samples)?;
+    let mut buffer = GBuffer::new(frame, camera)?;
     let (mut clock, mut counts) = (PassTimer::default(), RayCounts::default());
     let (mut maps, mut used) = (ActiveCubeMaps::default(), CubeMapUse::default());
     // The first sample last: its buffers are kept.
@@ -72,7 +73,10 @@ pub(crate) fn draw(
         }
         clock.time(PassName::Reflect, || {
             if mirrors.screen.is_some() {
-                buffer.depths.find(&buffer.texels);
+                buffer.depths.find(scene.lanes, &buffer.hits.surfaces);
+            }
+            if sample + 1 < samples {
+                buffer.reflected.fill([0.0; 3]);
             }
             reflect((scene, camera), mirrors, &mut buffer, &maps, &mut canvas, control)
         })?;
@@ -83,9 +87,43 @@ pub(crate) fn draw(
     Ok(MethodOutput { picture, counts, passes: clock.passes, cube_maps, evidence })
 }
 
-/// k_r of what a texel shows, if its reflected ray would be traced.
-pub(crate) fn reflecting(scene: &RenderScene, texel: &GBufferTexel) -> Option<f32> {
-    if texel.is_empty() { None } else { reflection_of(scene, texel.start.body) }
+/// Where the light of the samples goes to: of a single one straight into the picture.
+enum MirrorCanvas {
+    Picture(Picture),
+    Sums(SampleSums),
+}
+
+impl MirrorCanvas {
+    fn new(frame: FrameSize, samples: u32) -> Result<Self, SizeError> {
+        Ok(match samples {
+            1 => Self::Picture(Picture::new(frame.width as u32, frame.height as u32)?),
+            _ => Self::Sums(SampleSums::new(frame)?),
+        })
+    }
+
+    /// So many pixels after so many, row by row from the top.
+    fn bands(&mut self, pixels: usize) -> Vec<BandLight<'_>> {
+        match self {
+            Self::Picture(picture) => {
+                picture.pixels_mut().chunks_mut(pixels).map(BandLight::Picture).collect()
+            }
+            Self::Sums(sums) => sums.sums().chunks_mut(pixels).map(BandLight::Sums).collect(),
+        }
+    }
+
+    /// The mean of this many samples.
+    fn picture(self, samples: u32) -> Result<Picture, SizeError> {
+        match self {
+            Self::Picture(picture) => Ok(picture),
+            Self::Sums(sums) => sums.picture(samples),
+        }
+    }
+}
+
+/// k_r of the surface of a [`SurfaceTexel`](crate::transport::tile::hits::SurfaceTexel), if its reflected ray would be
+/// traced.
+pub(crate) fn reflecting(scene: &RenderScene, start: u32) -> Option<f32> {
+    if start == NO_START { None } else { reflection_of(scene, start & !INWARDS) }
 }
 
 /// Has the maps made of all bodies that reflect in the picture.
@@ -99,13 +137,13 @@ fn take_maps(
 ) -> Result<RayCounts, MethodError> {
     let mut bodies: BTreeSet<u32> = maps.maps.keys().copied().collect();
     let before = bodies.len();
-    let mut last = NO_BODY;
-    for texel in &buffer.texels {
+    let mut last = NO_START;
+    for texel in &buffer.hits.surfaces {
         // Neighboring pixels mostly show the same body.
-        if texel.start.body != last {
-            last = texel.start.body;
-            if reflecting(scene, texel).is_some() {
-                bodies.insert(last);
+        if texel.start != last {
+            last = texel.start;
+            if reflecting(scene, last).is_some() {
+                bodies.insert(last & !INWARDS);
             }
         }
     }
@@ -131,17 +169,21 @@ fn reflect(
     mirrors: ReflectionSources<'_>,
     buffer: &mut GBuffer,
     maps: &ActiveCubeMaps,
-    canvas: &mut SampleSums,
+    canvas: &mut MirrorCanvas,
     control: &RenderControl,
 ) -> Result<(), MethodError> {
     let width = buffer.frame.width;
     let mut reflected = std::mem::take(&mut buffer.reflected);
     let reflections = Reflections::new((scene, camera), mirrors, buffer, maps);
-    let rows = reflected.par_chunks_mut(width).zip(canvas.sums().par_chunks_mut(width)).enumerate();
-    rows.for_each(|(row, (reflected, sums))| {
+    let band = ReflectionKernel::ROWS * width;
+    let bands = canvas.bands(band).into_par_iter().zip(reflected.par_chunks_mut(band)).enumerate();
+    bands.for_each(|(number, (light, reflected))| {
         if !control.is_cancelled() {
-            scene.lanes.run_in_few(ReflectionKernel { reflections: &reflections, row, reflected, sums });
-            control.add_pixels(width as u64);
+            let pixels = reflected.len() as u64;
+            let first_row = number * ReflectionKernel::ROWS;
+            let kernel = ReflectionKernel { reflections: &reflections, first_row, reflected, light };
+            scene.lanes.run_in_few(kernel);
+            control.add_pixels(pixels);
         }
     });
     buffer.reflected = reflected;

@@ -202,7 +202,7 @@ fn wrong_pixels(
         }
         let group = match (method, &drawing.evidence) {
             (Method::CubeMap(_), FirstSampleBuffers::Buffers(buffer, _)) => {
-                buffer.texels.get(index).filter(|texel| !texel.is_empty()).map(|texel| texel.start.body)
+                buffer.texel(index).filter(|texel| !texel.is_empty()).map(|texel| texel.start.body)
             }
             _ => None,
         };

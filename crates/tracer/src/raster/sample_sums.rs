@@ -1,5 +1,7 @@
 //! Where samples of a picture add up, and rows of pixels worked on by all threads.
 
+use bytemuck::Zeroable;
+use bytemuck::allocation::try_zeroed_vec;
 use catoptric_picture::{Picture, SizeError};
 use catoptric_platform::time::{Duration, Instant};
 use glam::{DVec2, DVec3};
@@ -59,6 +61,27 @@ impl FrameSize {
             bytes: (self.pixels() as u64).saturating_mul(size_of::<T>() as u64),
         })?;
         values.resize(self.pixels(), value);
+        Ok(values)
+    }
+
+    /// As many zeros as there are pixels: fresh memory as it comes, of which nothing is written here.
+    pub(crate) fn zeroed<T: Zeroable>(self) -> Result<Vec<T>, SizeError> {
+        let (width, height) = (self.width as u32, self.height as u32);
+        try_zeroed_vec(self.pixels()).map_err(|()| SizeError::Memory {
+            width,
+            height,
+            bytes: (self.pixels() as u64).saturating_mul(size_of::<T>() as u64),
+        })
+    }
+
+    /// As many zeros as there are pixels, in memory that the system has cleared already: that is no part of a pass. All
+    /// threads write to its pages, one value each.
+    pub(crate) fn touched<T: Zeroable + Send>(self) -> Result<Vec<T>, SizeError> {
+        /// No system has smaller pages, bytes.
+        const PAGE: usize = 4096;
+        let mut values = self.zeroed()?;
+        let pages = values.par_chunks_mut((PAGE / size_of::<T>().max(1)).max(1));
+        pages.for_each(|page| page.iter_mut().take(1).for_each(|value| *value = T::zeroed()));
         Ok(values)
     }
 

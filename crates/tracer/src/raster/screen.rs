@@ -1,22 +1,23 @@
 //! Reflected rays on the screen: marched pixel by pixel through the depths of the picture (McGuire, Mara 2014, Efficient
-//! GPU Screen-Space Ray Tracing), many rays side by side.
+//! GPU Screen-Space Ray Tracing), over a pyramid of depths (Uludag 2014), many rays side by side.
 //!
-//! Numbers are in double precision, and every operation is rounded by itself: a ray has the same outcome alone and beside
+//! Numbers are in single precision, and every operation is rounded by itself: a ray has the same outcome alone and beside
 //! others.
 
+pub(crate) mod cells;
 pub(crate) mod way;
 
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 
+use crate::geometry::ray::{INWARDS, NO_START};
+use crate::raster::gbuffer::GBuffer;
 use crate::raster::gbuffer::depth_pyramid::DepthPyramid;
-use crate::raster::gbuffer::{GBuffer, GBufferTexel};
-use crate::raster::point_shader::{exact, vector};
-use crate::raster::projection::{ScreenProjection, vector64};
-use crate::raster::screen::way::{ScreenMarks, ScreenRays};
+use crate::raster::screen::cells::{CellLookup, CellPlaces, ScreenCells};
+use crate::raster::screen::way::{ScreenMarks, ScreenView, ScreenWays};
 use crate::raster::settings::SsrSettings;
-use crate::simd::double::{Float64, Mask64};
+use crate::simd::scalar::ScalarWidth;
 use crate::simd::vector::Vector;
-use crate::simd::{Float as _, Mask as _};
+use crate::simd::{Float as _, Float32, MOST_LANES, Mask as _, Width, Word as _, each_lane};
 use crate::transport::camera::RenderCamera;
 
 /// What became of a ray on the screen.
@@ -34,33 +35,47 @@ pub(crate) enum MarchOutcome {
 pub(crate) struct ScreenMarcher<'a> {
     buffer: &'a GBuffer,
     settings: &'a SsrSettings,
-    projection: ScreenProjection,
-    is_parallel: bool,
+    pub(crate) view: ScreenView,
+    thickness: f32,
+    cells: ScreenCells<'a>,
 }
 
 /// The rays of a march.
 #[derive(Clone, Copy)]
-pub(crate) struct MarchRays<const N: usize> {
+pub(crate) struct MarchRays<W: Width> {
+    /// The pixels whose points they leave, in columns and rows.
+    pub(crate) pixel: [W::R; 2],
+    /// [`ScreenDepth`](crate::transport::camera::ScreenDepth) of these points.
+    pub(crate) depth: W::R,
     /// The bodies that they leave.
-    bodies: [u32; N],
-    direction: Vector<Float64<N>>,
+    pub(crate) body: W::W,
+    /// Of length 1.
+    pub(crate) direction: Vector<W::R>,
 }
 
-/// How far marks of rays lie behind surfaces that they may meet there; where none may be met, or it lies behind the mark,
-/// `is_behind` does not hold.
-struct DepthsBehind<const N: usize> {
-    by: Float64<N>,
-    is_behind: Mask64<N>,
+/// What became of the rays of a march.
+pub(crate) struct MarchedRays<W: Width> {
+    pub(crate) met: W::M,
+    /// Of those that met nothing, the ones that went as far as the range.
+    end_in_range: W::M,
+    /// Where surfaces are met.
+    pub(crate) at: [W::R; 2],
 }
 
 /// Where the rays of a march are.
-struct MarchState<const N: usize> {
+struct MarchState<W: Width> {
     /// The mark that is looked at, counted from 1.
-    step: Float64<N>,
-    /// The depths at the marks before.
-    before: Float64<N>,
-    /// The squares that are looked at.
-    level: [usize; N],
+    step: W::R,
+    /// The edges of the squares that are looked at, pixels, and 1 divided by them.
+    edge: W::R,
+    inverse: W::R,
+}
+
+/// Marks that meet nothing.
+struct FreeMarks<W: Width> {
+    is_free: W::M,
+    /// How many follow the first.
+    more: W::R,
 }
 
 impl<'a> ScreenMarcher<'a> {
@@ -68,8 +83,9 @@ impl<'a> ScreenMarcher<'a> {
         Self {
             buffer,
             settings,
-            projection: ScreenProjection::new(camera, buffer.frame.size()),
-            is_parallel: camera.parallel_height().is_some(),
+            view: ScreenView::new(camera, buffer.frame.size()),
+            thickness: settings.thickness as f32,
+            cells: ScreenCells::new(buffer),
         }
     }
 
@@ -77,67 +93,55 @@ impl<'a> ScreenMarcher<'a> {
         self.settings
     }
 
-    /// Follows the ray from the point that a texel shows, in a direction of length 1.
-    pub(crate) fn march(&self, texel: &GBufferTexel, direction: Vector<f32>) -> MarchOutcome {
-        let [outcome] = self.march_all([texel], vector64([exact(direction)]), 1);
-        outcome
+    /// Follows the ray from the point that a pixel shows, in a direction of length 1.
+    pub(crate) fn march(&self, pixel: usize, direction: Vector<f32>) -> MarchOutcome {
+        let Some(texel) = self.buffer.hits.surfaces.get(pixel) else { return MarchOutcome::LeftScreen };
+        let width = self.buffer.frame.width;
+        let rays = MarchRays::<ScalarWidth> {
+            pixel: [(pixel % width) as f32, (pixel / width) as f32],
+            depth: texel.depth,
+            body: texel.start & !INWARDS,
+            direction,
+        };
+        self.march_all(ScalarWidth, &rays, true).outcome(0)
     }
 
-    /// Follows the rays of `lanes` from the points that texels show, in directions of length 1.
+    /// Follows the rays of `lanes`.
     #[inline(always)]
-    pub(crate) fn march_all<const N: usize>(
-        &self,
-        texels: [&GBufferTexel; N],
-        direction: Vector<Float64<N>>,
-        lanes: u32,
-    ) -> [MarchOutcome; N] {
-        let (mut points, mut bodies) = ([DVec3::ZERO; N], [0; N]);
-        for lane in 0..N {
-            (points[lane], bodies[lane]) = (exact(texels[lane].position), texels[lane].start.body);
-        }
-        let from = self.projection.points(vector64(points));
-        let along = self.projection.directions(direction);
-        let size = self.buffer.frame.size();
-        let (way, ends_in_range) = ScreenRays::new(from, along, size, self.settings);
-        let rays = MarchRays { bodies, direction };
-        let (met, at) = self.first_met(&way, &rays, Mask64::of_bits(lanes) & way.can_be_counted());
-        let ends_in_range = ends_in_range.bits();
-        let mut outcomes = [MarchOutcome::LeftScreen; N];
-        for (lane, outcome) in outcomes.iter_mut().enumerate() {
-            if met >> lane & 1 == 1 {
-                *outcome = MarchOutcome::Met(DVec2::new(at.x.0[lane], at.y.0[lane]));
-            } else if ends_in_range >> lane & 1 == 1 {
-                *outcome = MarchOutcome::OutOfRange;
-            }
-        }
-        outcomes
+    pub(crate) fn march_all<W: Width>(&self, w: W, rays: &MarchRays<W>, lanes: W::M) -> MarchedRays<W> {
+        let [column, row] = rays.pixel;
+        let [offset_x, offset_y] = self.cells.offset;
+        let start = ScreenMarks { x: column + offset_x, y: row + offset_y, depth: rays.depth };
+        let (way, end_in_range, can_be_counted) =
+            ScreenWays::new(w, &self.view, start, rays.direction, self.settings);
+        let (met, at) = self.first_met(w, &way, rays, lanes & can_be_counted);
+        MarchedRays { met, end_in_range, at }
     }
 
     /// Which rays meet something, and where.
     #[inline(always)]
-    fn first_met<const N: usize>(
+    fn first_met<W: Width>(
         &self,
-        way: &ScreenRays<N>,
-        rays: &MarchRays<N>,
-        lanes: Mask64<N>,
-    ) -> (u32, ScreenMarks<N>) {
-        let one = Float64([1.0; N]);
-        let mut state = MarchState { step: one, before: way.at(Float64([0.0; N])).depth, level: [1; N] };
-        let (mut met, mut places) = (0, way.at(one));
+        w: W,
+        way: &ScreenWays<W::R>,
+        rays: &MarchRays<W>,
+        lanes: W::M,
+    ) -> (W::M, [W::R; 2]) {
+        let one = w.real(1.0);
+        let mut cells = CellLookup::new(rays.direction);
+        let mut state = MarchState::new(w);
+        let (mut met, mut places) = (w.mask(0), [one; 2]);
         let mut marching = lanes;
         loop {
             // Rays wait where they may have met something, so that they are refined side by side.
-            let found = self.advance(way, rays, &mut state, marching);
+            let found = self.advance(w, (way, rays), &mut state, &mut cells, marching);
             if !found.any() {
                 return (met, places);
             }
-            let ends = [way.share(state.step - one), way.share(state.step)];
-            let (at, are_met) = self.refine(way, rays, ends, found);
-            met |= are_met.bits();
-            places.x = Float64::select(are_met, at.x, places.x);
-            places.y = Float64::select(are_met, at.y, places.y);
+            let (at, are_met) = self.refine(w, (way, rays), &mut cells, state.step, found);
+            met = met | are_met;
+            places = [W::R::select(are_met, at.x, places[0]), W::R::select(are_met, at.y, places[1])];
             marching = found & !are_met;
-            state.before = way.at(ends[1]).depth;
             state.step = state.step + one;
         }
     }
@@ -145,257 +149,255 @@ impl<'a> ScreenMarcher<'a> {
     /// Goes on to the next marks that are behind a surface by no more than its thickness; `false` for rays that come to
     /// their end. In each turn of the loop a ray goes on by a mark or more, or to a smaller square.
     #[inline(always)]
-    fn advance<const N: usize>(
+    fn advance<W: Width>(
         &self,
-        way: &ScreenRays<N>,
-        rays: &MarchRays<N>,
-        state: &mut MarchState<N>,
-        lanes: Mask64<N>,
-    ) -> Mask64<N> {
-        let one = Float64([1.0; N]);
-        let mut found = Mask64::of_bits(0);
-        let mut marching = lanes & state.step.le(way.last);
+        w: W,
+        (way, rays): (&ScreenWays<W::R>, &MarchRays<W>),
+        state: &mut MarchState<W>,
+        cells: &mut CellLookup,
+        lanes: W::M,
+    ) -> W::M {
+        let (zero, one) = (w.real(0.0), w.real(1.0));
+        let mut found = w.mask(0);
+        let mut marching = lanes & state.step.le(way.count);
         while marching.any() {
-            let here = way.at(way.share(state.step));
-            let free = self.free_marks(way, rays, state, &here);
-            let mut passed = marching & free.is_free;
-            state.before = Float64::select(passed, free.depth, state.before);
-            let mut tested = 0;
-            let (bits, passed_bits) = (marching.bits(), passed.bits());
-            for lane in 0..N {
-                let level = &mut state.level[lane];
-                if passed_bits >> lane & 1 == 1 {
-                    *level = (*level + 1).min(DepthPyramid::LEVELS - 1);
-                } else if *level == 0 {
-                    tested |= bits & 1 << lane;
-                } else {
-                    *level -= 1;
-                }
-            }
-            let mut next = free.more + one;
-            if tested != 0 {
-                let tests = Mask64::of_bits(tested);
-                let behind = self.behind(rays, &here, tests);
-                let meets = tests & self.is_within(&behind, &here, state.before);
+            let here = way.at(state.step);
+            let free = self.free_marks(w, (way, rays), state, &here, marching);
+            let (passed, stuck) = (marching & free.is_free, marching & !free.is_free);
+            let tested = stuck & state.are_smallest(w);
+            state.go_up(w, passed);
+            state.go_down(w, stuck);
+            state.step = state.step + W::R::select(passed, free.more + one, zero);
+            if tested.any() {
+                let (step, meets) = self.test(w, (way, rays), cells, (state.step, free.more), tested);
+                state.step = step;
                 found = found | meets;
                 marching = marching & !meets;
-                let misses = tests & !meets;
-                next = Float64::select(misses, one, next);
-                state.before = Float64::select(misses, here.depth, state.before);
-                passed = passed | misses;
             }
-            state.step = Float64::select(passed, state.step + next, state.step);
-            marching = marching & state.step.le(way.last);
+            marching = marching & state.step.le(way.count);
         }
         found
     }
 
+    /// Looks at the marks of rays one by one: the first and so many `more`. Where rays are then: at the first mark that is
+    /// behind a surface by no more than its thickness, which is told, or at the one after the last.
+    #[inline(always)]
+    fn test<W: Width>(
+        &self,
+        w: W,
+        (way, rays): (&ScreenWays<W::R>, &MarchRays<W>),
+        cells: &mut CellLookup,
+        (mut step, more): (W::R, W::R),
+        lanes: W::M,
+    ) -> (W::R, W::M) {
+        let (one, last) = (w.real(1.0), step + more);
+        let (mut testing, mut met) = (lanes, w.mask(0));
+        loop {
+            let here = way.at(step);
+            let cell = self.cells.look(w, cells, [here.x, here.y], testing.bits());
+            let behind = self.behind(rays, &cell, &here, testing);
+            let near = behind & self.are_within(&cell, here.depth, here.depth - way.step.depth);
+            if near.any() {
+                let meets = near & self.cells.facing(w, cells, &cell, near.bits());
+                met = met | meets;
+                testing = testing & !meets;
+            }
+            step = W::R::select(testing, step + one, step);
+            testing = testing & step.le(last);
+            if !testing.any() {
+                return (step, met);
+            }
+        }
+    }
+
     /// Which marks and how many more after them surely meet nothing: those in one square of pixels, if the ray does not
     /// come as deep there as anything, or stays behind all of it, or leaves the only body that is there.
+    ///
+    /// All that is compared changes in one sense along the way, as it is computed, since every operation rounds in one
+    /// sense: what holds at the ends of the marks holds between them.
     #[inline(always)]
-    fn free_marks<const N: usize>(
+    fn free_marks<W: Width>(
         &self,
-        way: &ScreenRays<N>,
-        rays: &MarchRays<N>,
-        state: &MarchState<N>,
-        here: &ScreenMarks<N>,
-    ) -> FreeMarks<N> {
-        let zero = Float64([0.0; N]);
-        let [x, y] = self.pixel_places(here);
-        let (columns, rows) = self.pixels([x, y]);
-        let [mut left, mut top, mut edge, mut nearest, mut farthest] = [[0.0; N]; 5];
-        let mut own = 0;
-        for lane in 0..N {
-            let level = state.level[lane];
-            let power = DepthPyramid::power(level);
-            let (column, row) = (columns[lane] as usize >> power, rows[lane] as usize >> power);
-            let square = self.buffer.depths.square(level, column, row);
-            (left[lane], top[lane]) = ((column << power) as f64, (row << power) as f64);
-            edge[lane] = (1_u32 << power) as f64;
-            (nearest[lane], farthest[lane]) = (f64::from(square.nearest), f64::from(square.farthest));
-            own |= u32::from(square.shows_only(rays.bodies[lane])) << lane;
+        w: W,
+        (way, rays): (&ScreenWays<W::R>, &MarchRays<W>),
+        state: &MarchState<W>,
+        here: &ScreenMarks<W::R>,
+        marching: W::M,
+    ) -> FreeMarks<W> {
+        let zero = w.real(0.0);
+        let pyramid = &self.buffer.depths;
+        let [place_x, place_y] = self.cells.pixel_places(here);
+        let [inside_x, inside_y] = self.cells.within_picture(w, [place_x, place_y]);
+        let (column, row) = ((inside_x * state.inverse).floor(), (inside_y * state.inverse).floor());
+        let rows = pyramid.rows as f32;
+        let first_row = state.inverse.times_plus(w.real(DepthPyramid::SMALLEST as f32 * -rows), w.real(rows));
+        let (mut columns, mut lines) = ([0; MOST_LANES], [0; MOST_LANES]);
+        to_words(column).store(&mut columns);
+        to_words(first_row + row).store(&mut lines);
+        let [mut squares, mut others] = [[[0.0; 4]; MOST_LANES]; 2];
+        for lane in 0..W::LANES {
+            [squares[lane], others[lane]] = *pyramid.square(lines[lane] as usize, columns[lane] as usize);
         }
-        let edge = Float64(edge);
+        let [nearest, farthest, lowest, highest] = w.load_fours(&squares);
+        let [nearest_above, farthest_above, nearest_below, farthest_below] = w.load_fours(&others);
+        let is_lowest = lowest.to_word().equals(rays.body);
+        let is_highest = highest.to_word().equals(rays.body);
+        let without_own =
+            |all, above, below| W::R::select(is_lowest, above, W::R::select(is_highest, below, all));
+        let nearest = without_own(nearest, nearest_above, nearest_below);
+        let farthest = without_own(farthest, farthest_above, farthest_below);
         let mut more = way.count - state.step;
-        for (place, low, [pace, steps]) in [(x, Float64(left), way.pace[0]), (y, Float64(top), way.pace[1])] {
-            let border = low + Float64::select(pace.lt(zero), zero, edge);
-            more = ((border - place) * steps).max(zero).min(more);
+        let sides = [(place_x, column, way.step.x), (place_y, row, way.step.y)];
+        for ((place, number, step), steps_in_pixel) in sides.into_iter().zip(way.steps_in_pixel) {
+            let low = number * state.edge;
+            let left = W::R::select(step.lt(zero), place - low, low + state.edge - place);
+            more = (left.max(zero) * steps_in_pixel).min(more);
         }
         let more = more.floor();
-        let depth = way.at(way.share(state.step + more)).depth;
-        // Depth rises or falls all along the way.
-        let deepest = here.depth.max(depth);
-        let made = (depth - state.before).abs();
-        let is_before = deepest.lt(Float64(nearest));
-        let is_behind =
-            (here.depth.min(depth) - Float64(farthest)).gt(Float64([self.settings.thickness; N]) + made);
-        FreeMarks { is_free: is_before | is_behind | Mask64::of_bits(own), more, depth }
+        let there = way.depth(state.step + more);
+        let mut is_free = here.depth.max(there).lt(nearest);
+        if (marching & !is_free).any() {
+            let depth = self.view.depth;
+            // The step that makes most depth is the deepest.
+            let deepest = here.depth.max(there);
+            let most = depth.difference([deepest, deepest - way.step.depth], way.step.depth.abs());
+            let behind = depth.meters(here.depth.min(there)) - depth.meters(farthest);
+            is_free = is_free | behind.gt(most + self.thickness);
+        }
+        FreeMarks { is_free, more }
     }
 
-    /// How far marks of rays lie behind surfaces that they may meet there: those of other bodies (a convex one is never met
-    /// by rays that leave it), on the side that the eye sees.
+    /// Which marks are behind surfaces that rays may meet: those of other bodies (a convex one is never met by rays that
+    /// leave it).
     #[inline(always)]
-    fn behind<const N: usize>(
+    fn behind<W: Width>(
         &self,
-        rays: &MarchRays<N>,
-        marks: &ScreenMarks<N>,
-        lanes: Mask64<N>,
-    ) -> DepthsBehind<N> {
-        let frame = self.buffer.frame;
-        let (columns, rows) = self.pixels(self.pixel_places(marks));
-        let [x, y] = self.sample_places(marks);
-        let [low_x, low_y] = [x.floor(), y.floor()];
-        let (mut may_be_met, mut is_even) = (0, 0);
-        let mut own = [0.0; N];
-        let mut around = [[1.0; N]; 4];
-        let asked = lanes.bits();
-        for lane in 0..N {
-            if asked >> lane & 1 == 0 {
-                continue;
-            }
-            let index = rows[lane] as usize * frame.width + columns[lane] as usize;
-            let Some(texel) = self.buffer.texels.get(index) else { continue };
-            let Vector { x, y, z } = &rays.direction;
-            let faces_ray = exact(texel.normal).dot(DVec3::new(x.0[lane], y.0[lane], z.0[lane])) < 0.0;
-            if texel.is_empty() || texel.start.body == rays.bodies[lane] || !faces_ray {
-                continue;
-            }
-            may_be_met |= 1 << lane;
-            own[lane] = f64::from(texel.depth);
-            let mut are_one_body = true;
-            let neighbors = self.neighbors([low_x.0[lane], low_y.0[lane]]);
-            for neighbor in 0..4 {
-                match self.buffer.texels.get(neighbors[neighbor]) {
-                    Some(other) if other.start == texel.start => {
-                        around[neighbor][lane] = f64::from(other.depth);
-                    }
-                    _ => are_one_body = false,
-                }
-            }
-            is_even |= u32::from(are_one_body) << lane;
-        }
-        // Depths are interpolated between pixels of one body, 1/w evenly on the screen.
-        let one = Float64([1.0; N]);
-        let mut sum = Float64([0.0; N]);
-        let shares = shares([x - low_x, y - low_y]);
-        for neighbor in 0..4 {
-            let depth = Float64(around[neighbor]);
-            sum = sum + shares[neighbor] * if self.is_parallel { depth } else { one / depth };
-        }
-        let between = if self.is_parallel { sum } else { one / sum };
-        let by = marks.depth - Float64::select(Mask64::of_bits(is_even), between, Float64(own));
-        DepthsBehind { by, is_behind: Mask64::of_bits(may_be_met) & by.ge(Float64([0.0; N])) }
+        rays: &MarchRays<W>,
+        cell: &CellPlaces<W>,
+        marks: &ScreenMarks<W::R>,
+        lanes: W::M,
+    ) -> W::M {
+        let is_own = cell.start.and(!INWARDS).equals(rays.body);
+        lanes & !is_own & !cell.start.is(NO_START) & marks.depth.ge(cell.depth)
     }
 
-    /// Whether rays are behind surfaces by no more than the thickness, and the depth that they made since the last marks.
+    /// Whether rays that are behind surfaces are so by no more than the thickness, and the depth that they made since the
+    /// last marks.
     #[inline(always)]
-    fn is_within<const N: usize>(
-        &self,
-        behind: &DepthsBehind<N>,
-        marks: &ScreenMarks<N>,
-        before: Float64<N>,
-    ) -> Mask64<N> {
-        let most = Float64([self.settings.thickness; N]) + (marks.depth - before).abs();
-        behind.is_behind & behind.by.le(most)
+    fn are_within<W: Width>(&self, cell: &CellPlaces<W>, at: W::R, before: W::R) -> W::M {
+        let depth = self.view.depth;
+        let most = depth.difference([at, before], (at - before).abs()) + self.thickness;
+        (depth.meters(at) - depth.meters(cell.depth)).le(most)
     }
 
     /// Halves the steps in which surfaces were met. Where, and whether they are met still.
     #[inline(always)]
-    fn refine<const N: usize>(
+    fn refine<W: Width>(
         &self,
-        way: &ScreenRays<N>,
-        rays: &MarchRays<N>,
-        [mut low, mut high]: [Float64<N>; 2],
-        lanes: Mask64<N>,
-    ) -> (ScreenMarks<N>, Mask64<N>) {
+        w: W,
+        (way, rays): (&ScreenWays<W::R>, &MarchRays<W>),
+        cells: &mut CellLookup,
+        step: W::R,
+        lanes: W::M,
+    ) -> (ScreenMarks<W::R>, W::M) {
+        let (mut low, mut high) = (step - 1.0, step);
         let mut left = self.settings.refinements;
         loop {
             let asked = if left > 0 { (low + high) * 0.5 } else { high };
             let marks = way.at(asked);
-            let behind = self.behind(rays, &marks, lanes);
+            let cell = self.cells.look(w, cells, [marks.x, marks.y], lanes.bits());
+            let behind = self.behind(rays, &cell, &marks, lanes);
+            let is_behind = behind & self.cells.facing(w, cells, &cell, behind.bits());
             if left == 0 {
-                return (marks, lanes & self.is_within(&behind, &marks, way.at(low).depth));
+                return (marks, is_behind & self.are_within(&cell, marks.depth, way.depth(low)));
             }
             left -= 1;
-            high = Float64::select(behind.is_behind, asked, high);
-            low = Float64::select(behind.is_behind, low, asked);
+            high = W::R::select(is_behind, asked, high);
+            low = W::R::select(is_behind, low, asked);
         }
     }
 
-    /// The light that the picture has at a place, interpolated between pixels of one body.
+    /// Writes the light that the picture has at places, interpolated between pixels of one body.
     #[inline(always)]
-    pub(crate) fn light(&self, at: DVec2) -> Vector<f32> {
-        let marks = ScreenMarks { x: Float64([at.x]), y: Float64([at.y]), depth: Float64([0.0]) };
-        let ([column], [row]) = self.pixels(self.pixel_places(&marks));
-        let nearest = row as usize * self.buffer.frame.width + column as usize;
-        let body = self.buffer.texels.get(nearest).map(|texel| texel.start);
-        let [x, y] = self.sample_places(&marks);
-        let low = [x.floor(), y.floor()];
-        let (mut light, mut weights) = (DVec3::ZERO, 0.0);
-        let weighted =
-            self.neighbors(low.map(|low| low.0[0])).into_iter().zip(shares([x - low[0], y - low[1]]));
-        for (index, Float64([share])) in weighted {
-            if self.buffer.texels.get(index).map(|texel| texel.start) == body {
-                light += share * self.buffer.lit.get(index).map_or(DVec3::ZERO, |lit| exact(*lit));
-                weights += share;
+    pub(crate) fn light_all<W: Width>(&self, w: W, at: [W::R; 2], lanes: u32, light: &mut [Vector<f32>]) {
+        let mut cells = CellLookup::new(Vector::splat(at[0], [0.0; 3]));
+        let cell = self.cells.look(w, &mut cells, at, lanes);
+        let shares = cell.shares(w);
+        let sum = shares[0] + shares[1] + shares[2] + shares[3];
+        let mut weights = [[0.0; MOST_LANES]; 4];
+        for (share, weights) in shares.into_iter().zip(&mut weights) {
+            (share / sum).store(weights);
+        }
+        each_lane(lanes, |lane| {
+            let around = self.cells.pixels(cells.corner(lane));
+            let mut sum = [0.0; 3];
+            for (pixel, weights) in around.into_iter().zip(&weights) {
+                let lit = self.buffer.lit.get(pixel).copied().unwrap_or_default();
+                let weight = weights[lane];
+                // Of other bodies nothing is taken, not even what is no number.
+                if weight != 0.0 {
+                    sum = std::array::from_fn(|part| sum[part] + weight * lit[part]);
+                }
             }
+            light[lane] = Vector::new(sum[0], sum[1], sum[2]);
+        });
+    }
+}
+
+impl<W: Width> MarchState<W> {
+    /// Before the first mark.
+    #[inline(always)]
+    fn new(w: W) -> Self {
+        let edge = (DepthPyramid::LARGEST / DepthPyramid::GROWTH) as f32;
+        Self { step: w.real(1.0), edge: w.real(edge), inverse: w.real(edge.recip()) }
+    }
+
+    #[inline(always)]
+    fn are_smallest(&self, w: W) -> W::M {
+        self.edge.le(w.real(DepthPyramid::SMALLEST as f32))
+    }
+
+    /// Takes larger squares, if there are any.
+    #[inline(always)]
+    fn go_up(&mut self, w: W, lanes: W::M) {
+        let growth = DepthPyramid::GROWTH as f32;
+        let lanes = lanes & self.edge.lt(w.real(DepthPyramid::LARGEST as f32));
+        self.edge = W::R::select(lanes, self.edge * growth, self.edge);
+        self.inverse = W::R::select(lanes, self.inverse * growth.recip(), self.inverse);
+    }
+
+    /// Takes smaller squares, if there are any.
+    #[inline(always)]
+    fn go_down(&mut self, w: W, lanes: W::M) {
+        let growth = DepthPyramid::GROWTH as f32;
+        let lanes = lanes & !self.are_smallest(w);
+        self.edge = W::R::select(lanes, self.edge * growth.recip(), self.edge);
+        self.inverse = W::R::select(lanes, self.inverse * growth, self.inverse);
+    }
+}
+
+impl<W: Width> MarchedRays<W> {
+    /// Of one of the rays.
+    pub(crate) fn outcome(&self, lane: usize) -> MarchOutcome {
+        let [mut x, mut y] = [[0.0; MOST_LANES]; 2];
+        self.at[0].store(&mut x);
+        self.at[1].store(&mut y);
+        if self.met.bits() >> lane & 1 == 1 {
+            MarchOutcome::Met(DVec2::new(x[lane].into(), y[lane].into()))
+        } else if self.end_in_range.bits() >> lane & 1 == 1 {
+            MarchOutcome::OutOfRange
+        } else {
+            MarchOutcome::LeftScreen
         }
-        vector(light / weights)
-    }
-
-    /// Places of the picture in pixels of which the samples are the centers.
-    #[inline(always)]
-    fn pixel_places<const N: usize>(&self, marks: &ScreenMarks<N>) -> [Float64<N>; 2] {
-        let DVec2 { x, y } = self.buffer.offset;
-        [marks.x - Float64([x; N]) + 0.5, marks.y - Float64([y; N]) + 0.5]
-    }
-
-    /// Columns and rows of the pixels whose samples are nearest to places.
-    #[inline(always)]
-    fn pixels<const N: usize>(&self, [x, y]: [Float64<N>; 2]) -> ([u32; N], [u32; N]) {
-        let [x, y] = self.within_picture([x, y]);
-        (x.floor().to_words(), y.floor().to_words())
-    }
-
-    /// Places of the picture, counted in samples from that of the first pixel to that of the last.
-    #[inline(always)]
-    fn sample_places<const N: usize>(&self, marks: &ScreenMarks<N>) -> [Float64<N>; 2] {
-        let DVec2 { x, y } = self.buffer.offset;
-        self.within_picture([marks.x - Float64([x; N]), marks.y - Float64([y; N])])
-    }
-
-    /// Places in columns and rows of the picture.
-    #[inline(always)]
-    fn within_picture<const N: usize>(&self, [x, y]: [Float64<N>; 2]) -> [Float64<N>; 2] {
-        let (zero, last) = (Float64([0.0; N]), self.buffer.frame.size() - 1.0);
-        [x.max(zero).min(Float64([last.x; N])), y.max(zero).min(Float64([last.y; N]))]
-    }
-
-    /// The pixel with its upper left sample here, and those right of it, below it, and both.
-    #[inline(always)]
-    fn neighbors(&self, [x, y]: [f64; 2]) -> [usize; 4] {
-        let frame = self.buffer.frame;
-        let (left, top) = (x as u32 as usize, y as u32 as usize);
-        let (right, bottom) = ((left + 1).min(frame.width - 1), (top + 1).min(frame.height - 1));
-        [(left, top), (right, top), (left, bottom), (right, bottom)].map(|(x, y)| y * frame.width + x)
     }
 }
 
-/// Marks that meet nothing.
-struct FreeMarks<const N: usize> {
-    is_free: Mask64<N>,
-    /// How many follow the first.
-    more: Float64<N>,
-    /// At the last of them.
-    depth: Float64<N>,
-}
-
-/// The shares of four neighbors in a place between them, which add up to 1.
+/// Whole numbers from 0 to 2²³ - 1 as words.
 #[inline(always)]
-fn shares<const N: usize>([x, y]: [Float64<N>; 2]) -> [Float64<N>; 4] {
-    let one = Float64([1.0; N]);
-    let [left, top] = [one - x, one - y];
-    [left * top, x * top, left * y, x * y]
+pub(crate) fn to_words<R: Float32>(numbers: R) -> R::Word {
+    /// 2²³: the last bits of larger numbers are whole ones.
+    const WHOLE: f32 = 8_388_608.0;
+    (numbers + WHOLE).to_word().and(0x007f_ffff)
 }
 
 #[cfg(test)]

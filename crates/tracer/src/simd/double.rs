@@ -37,20 +37,6 @@ impl<const N: usize> Mask64<N> {
     }
 }
 
-impl<const N: usize> Float64<N> {
-    /// Whole numbers from 0 to 2³² - 1 as words.
-    #[inline(always)]
-    pub(crate) fn to_words(self) -> [u32; N] {
-        /// 2⁵²: the last bits of larger numbers are whole ones. Vectors have no conversion that saturates.
-        const WHOLE: f64 = 4_503_599_627_370_496.0;
-        let mut words = [0; N];
-        for (word, number) in words.iter_mut().zip(self.0) {
-            *word = (number + WHOLE).to_bits() as u32;
-        }
-        words
-    }
-}
-
 macro_rules! operators {
     ($lanes:ident: $($operator:ident, $method:ident, $act:tt);*) => {$(
         impl<const N: usize> $operator for $lanes<N> {

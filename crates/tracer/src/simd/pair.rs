@@ -226,6 +226,11 @@ impl<W: Word> Word for LanePair<W> {
     }
 
     #[inline(always)]
+    fn equals(self, other: Self) -> LanePair<W::Mask> {
+        LanePair(self.0.equals(other.0), self.1.equals(other.1))
+    }
+
+    #[inline(always)]
     fn has(self, bits: u32) -> LanePair<W::Mask> {
         LanePair(self.0.has(bits), self.1.has(bits))
     }

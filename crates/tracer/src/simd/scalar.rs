@@ -259,6 +259,11 @@ impl Word for u32 {
     }
 
     #[inline(always)]
+    fn equals(self, other: u32) -> bool {
+        self == other
+    }
+
+    #[inline(always)]
     fn has(self, bits: u32) -> bool {
         self & bits != 0
     }

@@ -492,6 +492,11 @@ impl<S: Simd> Word for SimdWord<S> {
     }
 
     #[inline(always)]
+    fn equals(self, other: Self) -> SimdMask<S> {
+        SimdMask(self.0.simd_eq(other.0))
+    }
+
+    #[inline(always)]
     fn has(self, bits: u32) -> SimdMask<S> {
         SimdMask((self.0 & bits).simd_ne(S::u32s::splat(self.0.token(), 0)))
     }

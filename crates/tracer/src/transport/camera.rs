@@ -301,6 +301,56 @@ impl RenderCamera {
     }
 }
 
+/// Depth as a number that changes evenly along straight lines on the screen, and grows with the depth: for a perspective
+/// -1/depth, for a parallel projection the depth itself.
+///
+/// Of a perspective, x and y of the screen are linear in 1/w and t/w along a ray (Blinn 1992, Hyperbolic Interpolation).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct ScreenDepth {
+    pub(crate) eye: [f32; 3],
+    /// Unit vector along the view.
+    pub(crate) forward: [f32; 3],
+    pub(crate) is_parallel: bool,
+}
+
+impl ScreenDepth {
+    /// The number of the background, behind all others.
+    pub(crate) const NOTHING: f32 = f32::INFINITY;
+
+    pub(crate) fn new(camera: &RenderCamera) -> Self {
+        Self {
+            eye: camera.position.as_vec3().to_array(),
+            forward: (-camera.w).as_vec3().to_array(),
+            is_parallel: camera.parallel_height().is_some(),
+        }
+    }
+
+    /// The numbers of points that are before the eye.
+    #[inline(always)]
+    pub(crate) fn of_point<R: Float32>(&self, position: Vector<R>) -> R {
+        let like = position.x;
+        let depth = (position - Vector::splat(like, self.eye)).dot(Vector::splat(like, self.forward));
+        // Rounding may put a point behind the eye.
+        if self.is_parallel { depth } else { like.like(-1.0) / depth.max(like.like(f32::MIN_POSITIVE)) }
+    }
+
+    /// The depth, meters.
+    #[inline(always)]
+    pub(crate) fn meters<R: Float32>(&self, number: R) -> R {
+        if self.is_parallel { number } else { number.like(-1.0) / number }
+    }
+
+    /// The difference of two depths, meters, from both numbers and their difference.
+    #[inline(always)]
+    pub(crate) fn difference<R: Float32>(&self, numbers: [R; 2], difference: R) -> R {
+        if self.is_parallel {
+            return difference;
+        }
+        let [a, b] = numbers;
+        difference / (a * b).max(a.like(f32::MIN_POSITIVE))
+    }
+}
+
 /// The rays through a small part of the picture: one, computed in double precision, and the small difference of the
 /// others from it in single. So all are as exact as that one, but for the last digit.
 pub(crate) struct CameraRays {

@@ -81,9 +81,9 @@ pub(crate) struct InterfaceCrossing<W: Width> {
 /// Rendering does not look: what is seen is dropped, at no cost. A [tree](crate::WhittedIntegrator::pixel_tree) writes it
 /// down.
 pub(crate) trait PathObserver<W: Width> {
-    /// The points that were met.
+    /// The points that the rays `hit` met.
     #[inline(always)]
-    fn on_hit(&mut self, _at: &SurfaceInteraction<W>) {}
+    fn on_hit(&mut self, _w: W, _paths: &PathState<W>, _hit: W::M, _at: &SurfaceInteraction<W>) {}
 
     /// The direction to a light of the scene, its distance, and the cosine to the normal.
     #[inline(always)]

@@ -8,7 +8,8 @@ use crate::transport::camera::RenderCamera;
 pub(crate) use crate::transport::control::RenderControl;
 use crate::transport::counts::RayCounts;
 use crate::transport::scene::RenderScene;
-use crate::transport::tile::{TileRenderer, edge_for};
+use crate::transport::tile::hits::{FirstHitRows, SurfaceTexel};
+use crate::transport::tile::{TileRenderer, TileRows, edge_for};
 use crate::transport::tile_rect::{TILE, TileRect};
 
 /// What to render.
@@ -91,7 +92,8 @@ pub fn render_into(
     let size = DVec2::new(f64::from(picture.width()), f64::from(picture.height()));
     let samples = samples.max(1);
     // Who is free takes the next tile: of two halves of a picture one may have all that takes long.
-    let counts = tiles(scene, picture)
+    let strips = TileStrips::new(scene, [picture.width(), picture.height()]);
+    let counts = in_turns(strips.of(picture.pixels_mut()).collect())
         .par_bridge()
         .map_init(
             || (None, Vec::new()),
@@ -107,6 +109,58 @@ pub fn render_into(
         )
         .reduce(RayCounts::default, std::ops::Add::add);
     if control.is_cancelled() { Err(RenderError::Cancelled) } else { Ok(counts) }
+}
+
+/// The points that the primary rays of a picture's sample meet, row by row from the top.
+#[derive(Clone, Debug)]
+pub(crate) struct FirstHitBuffers {
+    /// Meters, in the space of the rays. Of the background, anything.
+    pub(crate) positions: Vec<[f32; 3]>,
+    /// Unit normals facing the viewer. Of the background, anything.
+    pub(crate) normals: Vec<[f32; 3]>,
+    pub(crate) surfaces: Vec<SurfaceTexel>,
+}
+
+impl FirstHitBuffers {
+    /// Finds the points of a sample through a camera, and writes their local light: what [`render`] has of one generation,
+    /// but for what is seen straight through clear bodies.
+    ///
+    /// # Errors
+    /// When the render is cancelled.
+    pub(crate) fn find(
+        &mut self,
+        lit: &mut [[f32; 3]],
+        (scene, camera): (&RenderScene, &RenderCamera),
+        size: UVec2,
+        sample: u32,
+        control: &RenderControl,
+    ) -> Result<RayCounts, RenderError> {
+        let strips = TileStrips::new(scene, size.to_array());
+        let of_points = strips.of(&mut self.positions).zip(strips.of(&mut self.normals));
+        let all = strips.of(lit).zip(of_points.zip(strips.of(&mut self.surfaces)));
+        let strips =
+            all.map(|(lit, ((positions, normals), surfaces))| lit.zip(positions.zip(normals).zip(surfaces)));
+        let counts = in_turns(strips.collect())
+            .par_bridge()
+            .map_init(
+                || None,
+                |tracer, (mut lit, ((positions, normals), surfaces))| {
+                    let tracer =
+                        tracer.get_or_insert_with(|| TileRenderer::of_first_hits(scene, camera, control));
+                    let before = tracer.counts();
+                    let (positions, normals, surfaces) = (positions.rows, normals.rows, surfaces.rows);
+                    let mut hits = FirstHitRows { positions, normals, surfaces };
+                    let rows = TileRows { light: &mut lit.rows, hits: Some(&mut hits) };
+                    if tracer.trace_into(lit.place, size.as_dvec2(), sample, rows) {
+                        control.add_pixels(lit.place.pixels() as u64);
+                    }
+                    // None of them is traced that goes straight through.
+                    RayCounts { refracted: before.refracted, ..tracer.counts() } - before
+                },
+            )
+            .reduce(RayCounts::default, std::ops::Add::add);
+        if control.is_cancelled() { Err(RenderError::Cancelled) } else { Ok(counts) }
+    }
 }
 
 /// The light of one pixel (column, row) as [`render_through`] has it, bit by bit, at the cost of the tiles around it;
@@ -145,13 +199,13 @@ pub(crate) fn mean_of(sum: DVec3, samples: u32) -> [f32; 3] {
     (sum / f64::from(samples)).as_vec3().to_array()
 }
 
-/// A tile or a group of tiles and its part of each of the picture's rows.
-struct TileTarget<'a> {
+/// A tile or a group of tiles and its part of each of the rows of a picture or a buffer.
+struct TileTarget<'a, T> {
     place: TileRect,
-    rows: Vec<&'a mut [[f32; 3]]>,
+    rows: Vec<&'a mut [T]>,
 }
 
-impl TileTarget<'_> {
+impl TileTarget<'_, [f32; 3]> {
     /// Traces all samples. False if it was cancelled midway.
     fn trace(
         &mut self,
@@ -161,7 +215,8 @@ impl TileTarget<'_> {
         samples: u32,
     ) -> bool {
         if samples == 1 {
-            return tracer.trace_into(self.place, size, 0, &mut self.rows);
+            let rows = TileRows { light: &mut self.rows, hits: None };
+            return tracer.trace_into(self.place, size, 0, rows);
         }
         sums.resize(self.place.pixels(), DVec3::ZERO);
         let width = self.place.width;
@@ -178,35 +233,54 @@ impl TileTarget<'_> {
     }
 }
 
-/// The tiles of a picture, each made when it is asked for.
+/// How a picture is divided into strips of tiles.
 ///
 /// Every thread has a strip of the picture to begin in, and goes on in those of others when it is through: where two take
 /// neighbors at once, the system clears the same fresh page of memory for each of them, and keeps one. Groups of tiles take
 /// too long for that to count; they go row by row, since the picture's middle, which mostly takes longest, must not be last.
-fn tiles<'p>(
-    scene: &RenderScene,
-    picture: &'p mut Picture,
-) -> impl Iterator<Item = TileTarget<'p>> + use<'p> {
-    let [width, height] = [picture.width(), picture.height()].map(|side| side as usize);
-    let edge = edge_for(scene, width, height);
-    let strips = if edge == TILE { rayon::current_num_threads() } else { 1 };
-    let strip = height.div_ceil(edge).div_ceil(strips) * edge;
-    let parts = picture.pixels_mut().chunks_mut(width * strip).zip((0..).step_by(strip));
-    let mut strips: Vec<_> = parts.map(|(pixels, top)| tiles_of_strip(pixels, top, width, edge)).collect();
+#[derive(Clone, Copy)]
+struct TileStrips {
+    width: usize,
+    /// Rows of a strip.
+    height: usize,
+    edge: usize,
+}
+
+impl TileStrips {
+    fn new(scene: &RenderScene, [width, height]: [u32; 2]) -> Self {
+        let (width, height) = (width as usize, height as usize);
+        let edge = edge_for(scene, width, height);
+        let strips = if edge == TILE { rayon::current_num_threads() } else { 1 };
+        Self { width, height: height.div_ceil(edge).div_ceil(strips) * edge, edge }
+    }
+
+    /// The strips of the pixels of a picture or a buffer, each with its tiles, made when they are asked for.
+    fn of<'p, T: 'p>(
+        self,
+        pixels: &'p mut [T],
+    ) -> impl Iterator<Item = impl Iterator<Item = TileTarget<'p, T>> + use<'p, T>> + use<'p, T> {
+        let Self { width, height, edge } = self;
+        let parts = pixels.chunks_mut(width * height).zip((0..).step_by(height));
+        parts.map(move |(pixels, top)| tiles_of_strip(pixels, top, width, edge))
+    }
+}
+
+/// What strips have, each thread taking from its own first.
+fn in_turns<I: Iterator>(mut strips: Vec<I>) -> impl Iterator<Item = I::Item> {
     std::iter::from_fn(move || {
-        let own = rayon::current_thread_index().unwrap_or_default() % strips.len();
+        let own = rayon::current_thread_index().unwrap_or_default() % strips.len().max(1);
         let (before, from_own_on) = strips.split_at_mut(own);
         from_own_on.iter_mut().chain(before).find_map(Iterator::next)
     })
 }
 
 /// The tiles of some rows of a picture that begin at `top`, row by row.
-fn tiles_of_strip(
-    pixels: &mut [[f32; 3]],
+fn tiles_of_strip<'p, T>(
+    pixels: &'p mut [T],
     top: usize,
     width: usize,
     edge: usize,
-) -> impl Iterator<Item = TileTarget<'_>> {
+) -> impl Iterator<Item = TileTarget<'p, T>> + use<'p, T> {
     let strip = TileRect { x: 0, y: top, width, height: pixels.len() / width };
     let mut bands = pixels.chunks_mut(width * edge);
     let mut band = Vec::new();

@@ -1,5 +1,6 @@
 //! The squares that a picture is traced in, and the rays of a square side by side.
 
+pub(crate) mod hits;
 pub(crate) mod radiance;
 
 use glam::{DVec2, Vec2};
@@ -11,11 +12,13 @@ use crate::transport::camera::{CameraRays, RenderCamera};
 use crate::transport::control::RenderControl;
 use crate::transport::counts::RayCounts;
 use crate::transport::integrator::whitted::WhittedIntegrator;
+use crate::transport::interaction::SurfaceInteraction;
 use crate::transport::path::{PathObserver, PathState, RayQueue, SecondaryRays};
 use crate::transport::sampler::Sampler;
 use crate::transport::scene::RenderScene;
 use crate::transport::shading::PacketSource;
 use crate::transport::stream::StreamShading;
+use crate::transport::tile::hits::{FirstHitRows, TileHits};
 use crate::transport::tile::radiance::TileRadiance;
 use crate::transport::tile_rect::{TILE, TileRect};
 
@@ -45,6 +48,8 @@ pub(crate) struct TileRenderer<'a> {
     /// Made when they are needed.
     streams: Option<StreamShading>,
     light: TileRadiance,
+    /// What primary rays meet, if that is wanted: then these are all rays.
+    hits: Option<TileHits>,
 }
 
 /// Rays of the same distance from the eye.
@@ -63,7 +68,19 @@ impl<'a> TileRenderer<'a> {
             levels: Vec::new(),
             streams: None,
             light: TileRadiance::default(),
+            hits: None,
         }
+    }
+
+    /// Traces the first generation alone, and takes up what its rays meet.
+    pub(crate) fn of_first_hits(
+        scene: &'a RenderScene,
+        camera: &'a RenderCamera,
+        control: &'a RenderControl,
+    ) -> Self {
+        let all = Self::new(scene, camera, control);
+        let whitted = all.whitted.with_limits(1, scene.threshold());
+        Self { whitted, hits: Some(TileHits::new(camera)), ..all }
     }
 
     /// The rays traced so far.
@@ -73,16 +90,17 @@ impl<'a> TileRenderer<'a> {
 
     /// The light of one sample of each pixel; `None` if it was cancelled midway.
     pub(crate) fn trace(&mut self, place: TileRect, size: DVec2, sample: u32) -> Option<&TileRadiance> {
-        self.trace_into(place, size, sample, &mut []).then_some(&self.light)
+        self.trace_into(place, size, sample, TileRows::default()).then_some(&self.light)
     }
 
-    /// Writes the light of one sample of each pixel into the rows of a picture. False if it was cancelled midway.
+    /// Writes the light of one sample of each pixel into the rows of a picture, and what primary rays meet into those of
+    /// buffers. False if it was cancelled midway.
     pub(crate) fn trace_into(
         &mut self,
         place: TileRect,
         size: DVec2,
         sample: u32,
-        rows: &mut [&mut [[f32; 3]]],
+        rows: TileRows<'_, '_>,
     ) -> bool {
         self.whitted.shading.trim_media();
         let (lanes, is_full) = (self.whitted.shading.scene.lanes, self.whitted.is_full());
@@ -108,14 +126,20 @@ impl<'a> TileRenderer<'a> {
     }
 }
 
+/// Where what is traced of a tile or a group is written to, if anywhere: from the uppermost row on.
+#[derive(Default)]
+pub(crate) struct TileRows<'t, 'r> {
+    pub(crate) light: &'t mut [&'r mut [[f32; 3]]],
+    pub(crate) hits: Option<&'t mut FirstHitRows<'r>>,
+}
+
 /// One sample of the pixels of a tile or a group. `FULL` stands where [`RenderScene::is_full`] may be true.
 struct TileSampleKernel<'t, 'r, 'a, const FULL: bool> {
     tracer: &'t mut TileRenderer<'a>,
     place: TileRect,
     size: DVec2,
     sample: u32,
-    /// Where its light is written to, if anywhere.
-    rows: &'t mut [&'r mut [[f32; 3]]],
+    rows: TileRows<'t, 'r>,
 }
 
 impl<const FULL: bool> SimdKernel for TileSampleKernel<'_, '_, '_, FULL> {
@@ -127,7 +151,10 @@ impl<const FULL: bool> SimdKernel for TileSampleKernel<'_, '_, '_, FULL> {
         let is_finished =
             tracer.primary::<W, FULL>(w, place, size, sample) && tracer.trace_queues::<W, FULL>(w);
         if is_finished {
-            tracer.light.write(w, rows);
+            tracer.light.write(w, rows.light);
+            if let (Some(hits), Some(rows)) = (&tracer.hits, rows.hits) {
+                hits.write(w, &tracer.light.layout, rows);
+            }
         }
         is_finished
     }
@@ -168,6 +195,9 @@ impl TileRenderer<'_> {
     ) -> bool {
         let [width, height] = PixelBlock::<W>::SIZE;
         self.light.begin(place, [width, height]);
+        if let Some(hits) = &mut self.hits {
+            hits.begin(self.light.layout.pixels);
+        }
         let across = place.width.div_ceil(width);
         self.whitted
             .shading
@@ -290,7 +320,8 @@ impl TileRenderer<'_> {
                 self.whitted.search(w, streams);
                 for at in (0..count).step_by(W::LANES) {
                     let paths = queue.look(w, at);
-                    let mut grown = SecondaryRayQueues { level: next, next: &mut none, waits: true };
+                    let hits = self.hits.as_mut();
+                    let mut grown = SecondaryRayQueues { level: next, next: &mut none, waits: true, hits };
                     self.whitted.packet_li::<W, FULL>(
                         w,
                         &paths,
@@ -353,7 +384,8 @@ impl TileRenderer<'_> {
         }
         next.lanes = w.mask(0);
         let waits = W::USES_HIERARCHY && self.whitted.shading.scene.goes_by_streams();
-        let mut grown = SecondaryRayQueues { level: &mut self.levels[level], next, waits };
+        let (level, hits) = (&mut self.levels[level], self.hits.as_mut());
+        let mut grown = SecondaryRayQueues { level, next, waits, hits };
         self.whitted.packet_li::<W, FULL>(w, paths, from, &mut grown)
     }
 }
@@ -384,6 +416,8 @@ struct SecondaryRayQueues<'l, W: Width> {
     next: &'l mut PathState<W>,
     /// Whether all waits.
     waits: bool,
+    /// What takes up the points where they grow; then none goes on.
+    hits: Option<&'l mut TileHits>,
 }
 
 impl<W: Width> SecondaryRayQueues<'_, W> {
@@ -394,7 +428,14 @@ impl<W: Width> SecondaryRayQueues<'_, W> {
     }
 }
 
-impl<W: Width> PathObserver<W> for SecondaryRayQueues<'_, W> {}
+impl<W: Width> PathObserver<W> for SecondaryRayQueues<'_, W> {
+    #[inline(always)]
+    fn on_hit(&mut self, w: W, paths: &PathState<W>, hit: W::M, at: &SurfaceInteraction<W>) {
+        if let Some(hits) = &mut self.hits {
+            hits.record(w, paths, hit, at);
+        }
+    }
+}
 
 impl<W: Width> SecondaryRays<W> for SecondaryRayQueues<'_, W> {
     #[inline(always)]
@@ -408,6 +449,10 @@ impl<W: Width> SecondaryRays<W> for SecondaryRayQueues<'_, W> {
 
     #[inline(always)]
     fn refracted(&mut self, paths: PathState<W>) {
+        // In the last generation these go straight through clear bodies.
+        if self.hits.is_some() {
+            return;
+        }
         if self.takes(paths.lanes) {
             *self.next = paths;
         } else {

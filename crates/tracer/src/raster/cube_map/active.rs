@@ -43,17 +43,17 @@ impl ActiveCubeMaps {
     pub(crate) fn light_all<W: Width, const N: usize>(
         &self,
         w: W,
-        texels: [&GBufferTexel; N],
+        (bodies, positions): (&[u32; N], &[Vector<f32>; N]),
         directions: &[Vector<f32>; N],
         lanes: u32,
         light: &mut [Vector<f32>; N],
     ) -> u32 {
         let (mut left, mut mapped) = (lanes, 0);
         while left != 0 {
-            let body = texels[left.trailing_zeros() as usize % N].start.body;
+            let body = bodies[left.trailing_zeros() as usize % N];
             let mut same = 0;
-            for (lane, texel) in texels.iter().enumerate() {
-                same |= u32::from(texel.start.body == body) << lane;
+            for (lane, other) in bodies.iter().enumerate() {
+                same |= u32::from(*other == body) << lane;
             }
             let same = same & left;
             left &= !same;
@@ -63,7 +63,7 @@ impl ActiveCubeMaps {
             if let Some(proxy) = proxy {
                 let (mut points, mut along) = ([DVec3::ZERO; N], [DVec3::ZERO; N]);
                 for lane in 0..N {
-                    (points[lane], along[lane]) = (exact(texels[lane].position), exact(directions[lane]));
+                    (points[lane], along[lane]) = (exact(positions[lane]), exact(directions[lane]));
                 }
                 let Vector { x, y, z } = proxy.corrected_all(map.center(), vector64(points), vector64(along));
                 for (lane, direction) in directions.iter_mut().enumerate() {

@@ -2,17 +2,17 @@
 
 use glam::DVec3;
 
+use crate::geometry::ray::INWARDS;
 use crate::raster::cube_map::active::ActiveCubeMaps;
-use crate::raster::gbuffer::{GBuffer, GBufferTexel};
+use crate::raster::gbuffer::GBuffer;
 use crate::raster::mirrored::{ReflectionSources, reflecting};
-use crate::raster::point_shader::exact;
-use crate::raster::projection::{ScreenProjection, vector64};
-use crate::raster::screen::{MarchOutcome, ScreenMarcher};
+use crate::raster::screen::way::ScreenView;
+use crate::raster::screen::{MarchRays, ScreenMarcher};
 use crate::simd::vector::Vector;
-use crate::simd::{Float32 as _, MOST_LANES, SimdKernel, Width};
+use crate::simd::{Float32 as _, MOST_LANES, Mask as _, SimdKernel, Width};
 use crate::transport::camera::RenderCamera;
 use crate::transport::scene::RenderScene;
-use crate::transport::surface::{mend_unit, reflect};
+use crate::transport::tile::hits::SurfaceTexel;
 
 /// So many rays go side by side, whatever the width: a multiple of all widths that they are in.
 const RAYS: usize = 16;
@@ -23,7 +23,7 @@ const NOTHING: Vector<f32> = Vector { x: 0.0, y: 0.0, z: 0.0 };
 pub(crate) struct Reflections<'a> {
     scene: &'a RenderScene,
     buffer: &'a GBuffer,
-    projection: ScreenProjection,
+    view: ScreenView,
     screen: Option<ScreenMarcher<'a>>,
     maps: &'a ActiveCubeMaps,
 }
@@ -36,19 +36,30 @@ impl<'a> Reflections<'a> {
         maps: &'a ActiveCubeMaps,
     ) -> Self {
         let screen = sources.screen.map(|settings| ScreenMarcher::new(buffer, camera, settings));
-        let projection = ScreenProjection::new(camera, buffer.frame.size());
-        Self { scene, buffer, projection, screen, maps }
+        Self { scene, buffer, view: ScreenView::new(camera, buffer.frame.size()), screen, maps }
     }
 }
 
-/// The reflections of a row of pixels.
+/// Where the light of some rows of pixels goes to.
+pub(crate) enum BandLight<'k> {
+    /// The pixels of the picture.
+    Picture(&'k mut [[f32; 3]]),
+    /// Sums of samples.
+    Sums(&'k mut [DVec3]),
+}
+
+/// The reflections of some rows of pixels.
 pub(crate) struct ReflectionKernel<'k> {
     pub(crate) reflections: &'k Reflections<'k>,
-    pub(crate) row: usize,
-    /// What the reflected rays bring.
-    pub(crate) reflected: &'k mut [Vector<f32>],
-    /// To which the light of the pixels is added.
-    pub(crate) sums: &'k mut [DVec3],
+    pub(crate) first_row: usize,
+    /// What the reflected rays bring; black as yet.
+    pub(crate) reflected: &'k mut [[f32; 3]],
+    pub(crate) light: BandLight<'k>,
+}
+
+impl ReflectionKernel<'_> {
+    /// Rows of a kernel: rays go side by side from blocks so high and wide, as near to each other as may be.
+    pub(crate) const ROWS: usize = 4;
 }
 
 impl SimdKernel for ReflectionKernel<'_> {
@@ -56,135 +67,185 @@ impl SimdKernel for ReflectionKernel<'_> {
 
     #[inline(always)]
     fn run<W: Width>(self, w: W) {
-        let Self { reflections, row, reflected, sums } = self;
+        let Self { reflections, first_row, reflected, mut light } = self;
         let Reflections { scene, buffer, .. } = *reflections;
-        let first = row * buffer.frame.width;
-        let texels = buffer.texels.get(first..).unwrap_or_default();
-        let lit = buffer.lit.get(first..).unwrap_or_default();
-        let mut shares = ShareOfBody { scene, last: None };
-        let mut waiting = WaitingPixels { columns: [0; RAYS], count: 0 };
-        reflected.fill(NOTHING);
-        let columns = texels.len().min(reflected.len());
-        for column in 0..=columns {
-            let texel = texels.get(column).filter(|_| column < columns);
-            if texel.is_some_and(|texel| shares.of(texel) > 0.0) {
-                waiting.columns[waiting.count % RAYS] = column;
-                waiting.count += 1;
-            }
-            // Called in one place only: each call is a copy of long code.
-            if waiting.count == RAYS || (texel.is_none() && waiting.count > 0) {
-                reflections.find(w, texels, &waiting, reflected);
-                waiting.count = 0;
+        let width = buffer.frame.width;
+        let first = first_row * width;
+        let (texels, lit) = (&buffer.hits.surfaces[first..], &buffer.lit[first..]);
+        if let BandLight::Picture(pixels) = &mut light {
+            pixels.copy_from_slice(&lit[..pixels.len()]);
+        }
+        let mut shares = ShareOfBody::new(scene);
+        let mut waiting = WaitingRays { pixels: [0; RAYS], shares: [0.0; RAYS], count: 0 };
+        for left in (0..width).step_by(Self::ROWS) {
+            let right = (left + Self::ROWS).min(width);
+            for row in (0..reflected.len()).step_by(width) {
+                for (column, texel) in (left..right).zip(&texels[row + left..row + right]) {
+                    let share = shares.of(texel);
+                    if share > 0.0 {
+                        waiting.push(row + column, share);
+                        if waiting.count == RAYS {
+                            reflections.find(w, first, &waiting, reflected, &mut light);
+                            waiting.count = 0;
+                        }
+                    }
+                }
             }
         }
-        for ((texel, lit), (found, sum)) in texels.iter().zip(lit).zip(reflected.iter().zip(sums)) {
-            *sum += exact(*lit + *found * shares.of(texel));
+        if waiting.count > 0 {
+            reflections.find(w, first, &waiting, reflected, &mut light);
+        }
+        if let BandLight::Sums(sums) = light {
+            for ((texel, &lit), (&found, sum)) in texels.iter().zip(lit).zip(reflected.iter().zip(sums)) {
+                *sum += DVec3::from(with_share(lit, found, shares.of(texel)).map(f64::from));
+            }
         }
     }
+}
+
+/// The light of a pixel with its share of what is reflected.
+#[inline(always)]
+fn with_share(lit: [f32; 3], found: [f32; 3], share: f32) -> [f32; 3] {
+    std::array::from_fn(|part| lit[part] + found[part] * share)
 }
 
 /// Looks up k_r of texels: neighboring pixels mostly show the same body.
 struct ShareOfBody<'a> {
     scene: &'a RenderScene,
-    last: Option<(u32, f32)>,
+    start: u32,
+    share: f32,
 }
 
-impl ShareOfBody<'_> {
+impl<'a> ShareOfBody<'a> {
+    fn new(scene: &'a RenderScene) -> Self {
+        Self { scene, start: SurfaceTexel::EMPTY.start, share: 0.0 }
+    }
+
     /// k_r, 0 if nothing is reflected.
     #[inline(always)]
-    fn of(&mut self, texel: &GBufferTexel) -> f32 {
-        match self.last {
-            Some((body, share)) if body == texel.start.body => share,
-            _ => {
-                let share = reflecting(self.scene, texel).unwrap_or(0.0);
-                self.last = Some((texel.start.body, share));
-                share
-            }
+    fn of(&mut self, texel: &SurfaceTexel) -> f32 {
+        if texel.start != self.start {
+            (self.start, self.share) = (texel.start, reflecting(self.scene, texel.start).unwrap_or(0.0));
         }
+        self.share
     }
 }
 
-/// Pixels of a row whose reflections are to be found.
-struct WaitingPixels {
-    columns: [usize; RAYS],
+/// Pixels of a kernel whose reflections are to be found.
+struct WaitingRays {
+    pixels: [usize; RAYS],
+    /// k_r of each.
+    shares: [f32; RAYS],
     count: usize,
 }
 
-impl Reflections<'_> {
-    /// Writes what the reflected rays of some pixels of a row bring.
+impl WaitingRays {
     #[inline(always)]
+    fn push(&mut self, pixel: usize, share: f32) {
+        let at = self.count % RAYS;
+        (self.pixels[at], self.shares[at]) = (pixel, share);
+        self.count += 1;
+    }
+}
+
+/// What is known of the rays that are reflected in some pixels.
+struct ReflectedRays {
+    bodies: [u32; RAYS],
+    positions: [Vector<f32>; RAYS],
+    directions: [Vector<f32>; RAYS],
+}
+
+impl Reflections<'_> {
+    /// Writes what the reflected rays of some pixels bring, which are counted from the `first` one of the picture on. In a
+    /// function of its own, so that this code is there once.
+    #[inline(never)]
     fn find<W: Width>(
         &self,
         w: W,
-        row: &[GBufferTexel],
-        pixels: &WaitingPixels,
-        reflected: &mut [Vector<f32>],
+        first: usize,
+        waiting: &WaitingRays,
+        reflected: &mut [[f32; 3]],
+        light: &mut BandLight<'_>,
     ) {
-        let mut texels = [&GBufferTexel::EMPTY; RAYS];
-        for (texel, &column) in texels.iter_mut().zip(&pixels.columns).take(pixels.count) {
-            *texel = row.get(column).unwrap_or(&GBufferTexel::EMPTY);
-        }
-        let lanes = ((1_u64 << pixels.count) - 1) as u32;
-        let directions = self.directions(w, texels);
-        let mut light = [NOTHING; RAYS];
-        let mut left = lanes;
-        if let Some(screen) = &self.screen {
-            let mut along = [DVec3::ZERO; RAYS];
-            for lane in 0..RAYS {
-                along[lane] = exact(directions[lane]);
-            }
-            let outcomes = screen.march_all(texels, vector64(along), lanes);
-            for lane in 0..RAYS {
-                if let MarchOutcome::Met(at) = outcomes[lane] {
-                    light[lane] = screen.light(at);
-                    left &= !(1 << lane);
+        w.run(
+            #[inline(always)]
+            || {
+                let lanes = ((1_u64 << waiting.count) - 1) as u32;
+                let mut rays = ReflectedRays {
+                    bodies: [0; RAYS],
+                    positions: [NOTHING; RAYS],
+                    directions: [NOTHING; RAYS],
+                };
+                let mut found = [NOTHING; RAYS];
+                let mut left = lanes;
+                for from in (0..waiting.count).step_by(W::LANES) {
+                    let packet = self.packet(w, first, waiting, from, &mut rays);
+                    let Some(screen) = &self.screen else { continue };
+                    let marched = screen.march_all(w, &packet, w.first(waiting.count - from));
+                    let met = marched.met.bits();
+                    screen.light_all(w, marched.at, met, &mut found[from..]);
+                    left &= !(met << from);
                 }
-            }
-        }
-        left &= !self.maps.light_all(w, texels, &directions, left, &mut light);
-        for lane in 0..pixels.count.min(RAYS) {
-            if left >> lane & 1 == 1 {
-                light[lane] = self.scene.sky.along(directions[lane]);
-            }
-            if let Some(found) = reflected.get_mut(pixels.columns[lane]) {
-                *found = light[lane];
-            }
-        }
+                let ReflectedRays { bodies, positions, directions } = &rays;
+                left &= !self.maps.light_all(w, (bodies, positions), directions, left, &mut found);
+                for lane in 0..waiting.count.min(RAYS) {
+                    if left >> lane & 1 == 1 {
+                        found[lane] = self.scene.sky.along(directions[lane]);
+                    }
+                    let (pixel, found) = (waiting.pixels[lane], found[lane].into());
+                    reflected[pixel] = found;
+                    if let BandLight::Picture(pixels) = light {
+                        pixels[pixel] = with_share(pixels[pixel], found, waiting.shares[lane]);
+                    }
+                }
+            },
+        );
     }
 
-    /// The directions of the rays that are reflected to the viewer, as [`GBufferTexel::reflected`] has them.
+    /// The rays that wait from number `from` on.
     #[inline(always)]
-    fn directions<W: Width>(&self, w: W, texels: [&GBufferTexel; RAYS]) -> [Vector<f32>; RAYS] {
-        let mut points = [DVec3::ZERO; RAYS];
-        for lane in 0..RAYS {
-            points[lane] = exact(texels[lane].position);
-        }
-        let to_viewer = self.projection.toward_viewer(vector64(points));
-        let mut directions = [NOTHING; RAYS];
-        for first in (0..RAYS).step_by(W::LANES) {
-            let mut rows = [[0.0; MOST_LANES]; 6];
-            for lane in 0..W::LANES {
-                let at = (first + lane) % RAYS;
-                let normal = texels[at].normal;
-                let Vector { x, y, z } = &to_viewer;
-                let numbers =
-                    [-x.0[at] as f32, -y.0[at] as f32, -z.0[at] as f32, normal.x, normal.y, normal.z];
-                for (row, number) in rows.iter_mut().zip(numbers) {
-                    row[lane] = number;
-                }
+    fn packet<W: Width>(
+        &self,
+        w: W,
+        first: usize,
+        waiting: &WaitingRays,
+        from: usize,
+        rays: &mut ReflectedRays,
+    ) -> MarchRays<W> {
+        let GBuffer { frame, hits, .. } = self.buffer;
+        let mut numbers = [[0.0; MOST_LANES]; 9];
+        let mut bodies = [0; MOST_LANES];
+        for lane in 0..W::LANES.min(waiting.count - from) {
+            let pixel = first + waiting.pixels[from + lane];
+            let (position, normal) = (hits.positions[pixel], hits.normals[pixel]);
+            let SurfaceTexel { depth, start } = hits.surfaces[pixel];
+            let (column, row) = (pixel % frame.width, pixel / frame.width);
+            let [x, y, z] = position;
+            let [normal_x, normal_y, normal_z] = normal;
+            let all = [x, y, z, normal_x, normal_y, normal_z, column as f32, row as f32, depth];
+            for (row, number) in numbers.iter_mut().zip(all) {
+                row[lane] = number;
             }
-            let [x, y, z, normal_x, normal_y, normal_z] = &rows;
-            let direction = Vector::new(w.load(x), w.load(y), w.load(z));
-            let normal = Vector::new(w.load(normal_x), w.load(normal_y), w.load(normal_z));
-            let Vector { x, y, z } = mend_unit(reflect(direction, normal));
-            let [mut row_x, mut row_y, mut row_z] = [[0.0; MOST_LANES]; 3];
-            x.store(&mut row_x);
-            y.store(&mut row_y);
-            z.store(&mut row_z);
-            for lane in 0..W::LANES {
-                directions[(first + lane) % RAYS] = Vector::new(row_x[lane], row_y[lane], row_z[lane]);
-            }
+            bodies[lane] = start & !INWARDS;
+            rays.bodies[from + lane] = bodies[lane];
+            rays.positions[from + lane] = Vector::new(x, y, z);
         }
-        directions
+        let vector = |first: usize| {
+            Vector::new(w.load(&numbers[first]), w.load(&numbers[first + 1]), w.load(&numbers[first + 2]))
+        };
+        let direction = self.view.reflected(vector(0), vector(3));
+        let [mut x, mut y, mut z] = [[0.0; MOST_LANES]; 3];
+        direction.x.store(&mut x);
+        direction.y.store(&mut y);
+        direction.z.store(&mut z);
+        for lane in 0..W::LANES {
+            rays.directions[(from + lane) % RAYS] = Vector::new(x[lane], y[lane], z[lane]);
+        }
+        MarchRays {
+            pixel: [w.load(&numbers[6]), w.load(&numbers[7])],
+            depth: w.load(&numbers[8]),
+            body: w.load_words(&bodies),
+            direction,
+        }
     }
 }

@@ -9,24 +9,30 @@ use crate::raster::mirrored::reflecting;
 use crate::raster::point_shader::vector;
 use crate::raster::reasons::reference_pixel::{PixelParts, ReferencePixel};
 use crate::raster::reasons::{Reason, ReasonInput, largest};
+use crate::raster::screen::way::ScreenView;
 use crate::raster::screen::{MarchOutcome, ScreenMarcher};
 use crate::raster::settings::{LightModel, SsrFallback, SsrSettings};
+use crate::simd::vector::Vector;
 use crate::transport::pick::RayIntersection;
 
 /// What a method has for a pixel's reflection.
-struct MethodReflection<'a> {
-    texel: &'a GBufferTexel,
+struct MethodReflection {
+    texel: GBufferTexel,
+    /// The direction of the reflected ray.
+    direction: Vector<f32>,
     /// k_r, 0 if nothing is reflected.
     share: f32,
     /// What the reflected ray found.
     found: Vec3,
 }
 
-impl<'a> MethodReflection<'a> {
-    fn of(case: &ReasonInput<'_>, buffer: &'a GBuffer, pixel: usize) -> Option<Self> {
-        let texel = buffer.texels.get(pixel)?;
-        let share = reflecting(case.scene, texel).unwrap_or(0.0);
-        Some(Self { texel, share, found: (*buffer.reflected.get(pixel)?).into() })
+impl MethodReflection {
+    fn of(case: &ReasonInput<'_>, buffer: &GBuffer, pixel: usize) -> Option<Self> {
+        let texel = buffer.texel(pixel)?;
+        let share = reflecting(case.scene, texel.start.word()).unwrap_or(0.0);
+        let view = ScreenView::new(case.camera, buffer.frame.size());
+        let direction = view.reflected(texel.position, texel.normal);
+        Some(Self { texel, direction, share, found: (*buffer.reflected.get(pixel)?).into() })
     }
 }
 
@@ -43,7 +49,7 @@ impl ReasonInput<'_> {
         let parts = witness.parts(ray)?;
         let had = MethodReflection::of(self, buffer, pixel)?;
         let screen = ScreenMarcher::new(buffer, self.camera, how);
-        let fate = screen.march(had.texel, had.texel.reflected(self.camera));
+        let fate = screen.march(pixel, had.direction);
         // A cube map shows the reflections of what is reflected, too.
         let is_mapped =
             !matches!(fate, MarchOutcome::Met(_)) && matches!(how.fallback, SsrFallback::CubeMap(_));
@@ -65,7 +71,7 @@ impl ReasonInput<'_> {
         witness: &mut ReferencePixel<'_>,
         screen: &ScreenMarcher<'_>,
         parts: &PixelParts,
-        had: &MethodReflection<'_>,
+        had: &MethodReflection,
         fate: MarchOutcome,
     ) -> Option<Reason> {
         let Some((mirrored, hit)) = parts.mirrored.as_ref().and_then(|ray| Some((ray, ray.hit?))) else {
@@ -128,14 +134,13 @@ impl ReasonInput<'_> {
     ) -> Option<Reason> {
         let parts = witness.parts(ray)?;
         let had = MethodReflection::of(self, buffer, pixel)?;
-        let Some((direction, map)) = maps.looked_up(had.texel, had.texel.reflected(self.camera)) else {
+        let Some((direction, map)) = maps.looked_up(&had.texel, had.direction) else {
             return largest([
                 (Reason::RefractionMissing, parts.refracted),
                 (Reason::ReflectionMissing, parts.first() + parts.second),
             ]);
         };
-        let reflected = had.texel.reflected_ray(self.camera);
-        let from_point = witness.light_of_others(Ray::from_point(reflected.origin, reflected.direction));
+        let from_point = witness.light_of_others(Ray::from_point(had.texel.position, had.direction));
         let direction = direction.normalize_or(DVec3::Y).as_vec3a();
         let from_center = witness.light_of_others(Ray::from_point(map.center().as_vec3a(), direction));
         largest([

@@ -180,7 +180,7 @@ impl<'a> WhittedIntegrator<'a> {
             return PacketRadiance { light: weighted(paths, is_whole, background), hits };
         }
         let at = self.shading.interaction::<W, FULL>(w, paths, &hits);
-        secondary.on_hit(&at);
+        secondary.on_hit(w, paths, hit, &at);
         let light = self.shading.direct_light::<W, FULL>(w, paths, &mut from, membership, &at, secondary);
         secondary.on_local_light(light);
         let light = Vector::select(hit, light, background);

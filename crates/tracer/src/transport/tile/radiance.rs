@@ -9,17 +9,76 @@ use crate::transport::surface::MOST_OF_PIXEL;
 use crate::transport::tile::PixelBlock;
 use crate::transport::tile_rect::TileRect;
 
-/// The light of one sample of the pixels of a tile or a group.
-///
-/// Pixels are numbered block by block, so that those whose rays are traced side by side are neighbors in memory too.
-#[derive(Debug, Default)]
-pub(crate) struct TileRadiance {
-    /// The sums of what all rays of a pixel bring.
-    sums: ChannelPlanes,
+/// The order of the pixels of a tile or a group: block by block, so that those whose rays are traced side by side are
+/// neighbors in memory too.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct BlockLayout {
     /// Size of a block, pixels.
     block: [usize; 2],
     /// Blocks across.
     across: usize,
+    /// Pixels of all blocks.
+    pub(crate) pixels: usize,
+}
+
+impl BlockLayout {
+    fn new(place: TileRect, block: [usize; 2]) -> Self {
+        let [width, height] = block;
+        let across = place.width.div_ceil(width);
+        Self { block, across, pixels: across * place.height.div_ceil(height) * width * height }
+    }
+
+    /// Pixels of a block.
+    pub(crate) fn lanes(&self) -> usize {
+        let [width, height] = self.block;
+        width * height
+    }
+
+    /// Pixels of a row of a block.
+    pub(crate) fn block_width(&self) -> usize {
+        self.block[0]
+    }
+
+    /// Where row `y` begins.
+    pub(crate) fn start(&self, y: usize) -> usize {
+        let [width, height] = self.block;
+        y / height * self.across * self.lanes() + y % height * width
+    }
+
+    /// Writes row `y` of three planes, made of blocks of this width, into a row of pixels.
+    #[inline(always)]
+    pub(crate) fn write_threes<W: Width, T: Copy>(
+        &self,
+        w: W,
+        (planes, y): ([&[T]; 3], usize),
+        row: &mut [[f32; 3]],
+        number: impl Fn(T) -> f32 + Copy,
+    ) {
+        let [width, _] = PixelBlock::<W>::SIZE;
+        let [a, b, c] = planes;
+        let (mut start, (whole, rest)) = (self.start(y), row.split_at_mut(row.len() / W::LANES * W::LANES));
+        for to in whole.chunks_exact_mut(W::LANES) {
+            let parts = [
+                row_of_blocks(w, &a[start..], number),
+                row_of_blocks(w, &b[start..], number),
+                row_of_blocks(w, &c[start..], number),
+            ];
+            w.store_threes(parts, to);
+            start += W::LANES / width * W::LANES;
+        }
+        for (x, to) in rest.iter_mut().enumerate() {
+            let at = start + x / width * W::LANES + x % width;
+            *to = [number(a[at]), number(b[at]), number(c[at])];
+        }
+    }
+}
+
+/// The light of one sample of the pixels of a tile or a group, in the order of a [`BlockLayout`].
+#[derive(Debug, Default)]
+pub(crate) struct TileRadiance {
+    /// The sums of what all rays of a pixel bring.
+    sums: ChannelPlanes,
+    pub(crate) layout: BlockLayout,
 }
 
 /// Red, green and blue of all pixels, each in a row of its own; as long as the largest tile so far needed.
@@ -34,9 +93,8 @@ fn rounded(sum: f64) -> f32 {
 impl TileRadiance {
     /// Prepares for the pixels of a tile or a group in blocks of this size.
     pub(crate) fn begin(&mut self, place: TileRect, block: [usize; 2]) {
-        self.block = block;
-        self.across = place.width.div_ceil(block[0]);
-        let pixels = self.across * place.height.div_ceil(block[1]) * block[0] * block[1];
+        self.layout = BlockLayout::new(place, block);
+        let pixels = self.layout.pixels;
         for plane in &mut self.sums {
             if plane.len() < pixels {
                 plane.resize(pixels, 0.0);
@@ -59,11 +117,8 @@ impl TileRadiance {
         let [reds, greens, blues] = &mut self.sums;
         let mut pixels = [0; MOST_LANES];
         paths.pixel.store(&mut pixels);
-        let first = pixels[0];
-        // Rays that were neither mixed with others nor thinned out belong to pixels that are neighbors in memory.
-        let others = !paths.pixel.plus(w.load_words(&BEFORE)).is(first);
-        if !others.any() {
-            let (first, zero) = (first as usize, w.real(0.0));
+        if let Some(first) = first_of_neighbors(w, paths) {
+            let zero = w.real(0.0);
             let flies = |part| W::R::select(paths.lanes, part, zero);
             each_with::<W>(&mut reds[first..], flies(light.x), |sum, part| *sum += part);
             each_with::<W>(&mut greens[first..], flies(light.y), |sum, part| *sum += part);
@@ -85,24 +140,9 @@ impl TileRadiance {
     /// Writes rows of pixels, from the uppermost on, as the blocks are that rays of this width were traced in.
     #[inline(always)]
     pub(crate) fn write<W: Width>(&self, w: W, rows: &mut [&mut [[f32; 3]]]) {
-        let [width, _] = PixelBlock::<W>::SIZE;
-        let [reds, greens, blues] = &self.sums;
+        let [red, green, blue] = &self.sums;
         for (y, row) in rows.iter_mut().enumerate() {
-            let (mut start, (whole, rest)) =
-                (self.start(y), row.split_at_mut(row.len() / W::LANES * W::LANES));
-            for to in whole.chunks_exact_mut(W::LANES) {
-                let parts = [
-                    row_of_blocks(w, &reds[start..]),
-                    row_of_blocks(w, &greens[start..]),
-                    row_of_blocks(w, &blues[start..]),
-                ];
-                w.store_threes(parts, to);
-                start += W::LANES / width * W::LANES;
-            }
-            for (x, to) in rest.iter_mut().enumerate() {
-                let at = start + x / width * W::LANES + x % width;
-                *to = [rounded(reds[at]), rounded(greens[at]), rounded(blues[at])];
-            }
+            self.layout.write_threes(w, ([red, green, blue], y), row, rounded);
         }
     }
 
@@ -117,23 +157,12 @@ impl TileRadiance {
         }
     }
 
-    /// Pixels of a block.
-    fn lanes(&self) -> usize {
-        let [width, height] = self.block;
-        width * height
-    }
-
-    /// Where row `y` begins.
-    fn start(&self, y: usize) -> usize {
-        let [width, height] = self.block;
-        y / height * self.across * self.lanes() + y % height * width
-    }
-
     /// Shows `take` the pixels of row `y`, from left to right, each with one of `to`.
     #[inline]
     pub(crate) fn each<T>(&self, y: usize, to: &mut [T], mut take: impl FnMut(&mut T, [f32; 3])) {
-        let [width, _] = self.block;
-        for (to, start) in to.chunks_mut(width).zip((self.start(y)..).step_by(self.lanes())) {
+        let layout = self.layout;
+        let starts = (layout.start(y)..).step_by(layout.lanes());
+        for (to, start) in to.chunks_mut(layout.block_width()).zip(starts) {
             let row = self.sums.each_ref().map(|plane| &plane[start..start + to.len()]);
             // Blocks are four pixels wide or eight, and four numbers are read at once.
             let [(reds, red), (greens, green), (blues, blue)] = row.map(<[f64]>::as_chunks::<4>);
@@ -153,14 +182,24 @@ impl TileRadiance {
 
 /// A row of as many neighboring blocks as make a vector; the first one begins here.
 #[inline(always)]
-fn row_of_blocks<W: Width>(w: W, parts: &[f64]) -> W::R {
+fn row_of_blocks<W: Width, T: Copy>(w: W, parts: &[T], number_of: impl Fn(T) -> f32) -> W::R {
     let [width, _] = PixelBlock::<W>::SIZE;
     let parts = &parts[..(W::LANES / width - 1) * W::LANES + width];
     let mut numbers = [0.0; MOST_LANES];
     for (lane, number) in numbers[..W::LANES].iter_mut().enumerate() {
-        *number = rounded(parts[lane / width * W::LANES + lane % width]);
+        *number = number_of(parts[lane / width * W::LANES + lane % width]);
     }
     w.load(&numbers)
+}
+
+/// The first pixel of rays that were neither mixed with others nor thinned out: they belong to pixels that are neighbors in
+/// memory.
+#[inline(always)]
+pub(crate) fn first_of_neighbors<W: Width>(w: W, paths: &PathState<W>) -> Option<usize> {
+    let mut pixels = [0; MOST_LANES];
+    paths.pixel.store(&mut pixels);
+    let others = !paths.pixel.plus(w.load_words(&BEFORE)).is(pixels[0]);
+    (!others.any()).then_some(pixels[0] as usize)
 }
 
 /// What makes the numbers of neighbors equal.

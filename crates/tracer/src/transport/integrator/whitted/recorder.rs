@@ -166,7 +166,13 @@ impl SecondaryRays<ScalarWidth> for PathRecorder<'_> {
 }
 
 impl PathObserver<ScalarWidth> for PathRecorder<'_> {
-    fn on_hit(&mut self, at: &SurfaceInteraction<ScalarWidth>) {
+    fn on_hit(
+        &mut self,
+        _: ScalarWidth,
+        _: &PathState<ScalarWidth>,
+        _: bool,
+        at: &SurfaceInteraction<ScalarWidth>,
+    ) {
         self.at = Some(*at);
     }
 
