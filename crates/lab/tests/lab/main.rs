@@ -1,6 +1,7 @@
 //! Experiments against known answers.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests may panic as tests may")]
 
+mod agreement;
 mod audit;
 mod comparing;
 mod depth;

@@ -1,0 +1,411 @@
+//! What agrees with the exact picture: right pictures however they are filtered, and no other ones.
+
+use std::path::{Path, PathBuf};
+
+use catoptric_lab::Random;
+use catoptric_lab::detective::{CodeCurve, Detective, DetectiveSettings, ObservedPicture, Verdict};
+use catoptric_lab::report::Language;
+use catoptric_picture::{Picture, srgb};
+use catoptric_scene::Scene;
+use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, render};
+use rayon::prelude::*;
+
+const SIZE: [u32; 2] = [64, 48];
+
+fn folder(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(name)
+}
+
+fn scene_at(path: &Path) -> Scene {
+    let text = std::fs::read_to_string(path).unwrap();
+    catoptric_scene::read(&text).into_result().unwrap().value
+}
+
+fn files(name: &str, extension: &str) -> Vec<PathBuf> {
+    let all = std::fs::read_dir(folder(name)).unwrap().map(|entry| entry.unwrap().path());
+    let mut all: Vec<PathBuf> =
+        all.filter(|path| path.extension().is_some_and(|own| own == extension)).collect();
+    all.sort();
+    all
+}
+
+fn traced(scene: &Scene, [width, height]: [u32; 2]) -> Picture {
+    let prepared = RenderScene::build(scene).unwrap();
+    render(&prepared, RenderSettings { width, height, samples: 1 }, &RenderControl::default())
+        .unwrap()
+        .picture
+}
+
+/// Codes of a picture, 0 to 255, row by row.
+#[derive(Clone, Debug, PartialEq)]
+struct Codes {
+    size: [u32; 2],
+    codes: Vec<[u8; 3]>,
+}
+
+impl Codes {
+    fn from_fn(size: [u32; 2], mut code: impl FnMut(u32, u32) -> [u8; 3]) -> Self {
+        let mut codes = Vec::new();
+        for y in 0..size[1] {
+            codes.extend((0..size[0]).map(|x| code(x, y)));
+        }
+        Self { size, codes }
+    }
+
+    /// The code of a pixel, of the nearest one outside.
+    fn at(&self, x: i64, y: i64) -> [u8; 3] {
+        let [x, y] =
+            [(x, self.size[0]), (y, self.size[1])].map(|(at, side)| at.clamp(0, i64::from(side) - 1));
+        self.codes[(y * i64::from(self.size[0]) + x) as usize]
+    }
+
+    fn observed(&self) -> ObservedPicture {
+        let light = |code: u8| srgb::decode(f64::from(code) / 255.0) as f32;
+        let pixels = self.codes.iter().map(|code| code.map(light)).collect();
+        ObservedPicture::of_codes(&Picture::from_pixels(self.size[0], self.size[1], pixels).unwrap())
+    }
+
+    /// The number of pixels that differ by more than eight codes.
+    fn differing(&self, other: &Self) -> usize {
+        let differs = |(one, other): &(&[u8; 3], &[u8; 3])| (0..3).any(|c| one[c].abs_diff(other[c]) > 8);
+        self.codes.iter().zip(&other.codes).filter(differs).count()
+    }
+}
+
+fn code(curve: CodeCurve, light: f64) -> u8 {
+    let light = light.clamp(0.0, 1.0);
+    let value = if curve == CodeCurve::Srgb { srgb::encode(light) } else { light };
+    (value * 255.0).round() as u8
+}
+
+/// How the rays of a pixel are put together.
+#[derive(Clone, Copy, Debug)]
+enum PixelFilter {
+    /// So many along each side of the pixel.
+    Grid(u32),
+    /// So many anywhere in the pixel.
+    Anywhere(u32),
+    /// Falling to 0 at the middles of the neighbors.
+    Tent,
+    /// A Gaussian of a standard deviation of half a pixel.
+    Gaussian,
+}
+
+impl PixelFilter {
+    const ALL: [Self; 8] = [
+        Self::Grid(1),
+        Self::Grid(2),
+        Self::Grid(4),
+        Self::Grid(8),
+        Self::Anywhere(4),
+        Self::Anywhere(16),
+        Self::Tent,
+        Self::Gaussian,
+    ];
+    /// Rays along the side of a pixel that those of others than grids are taken from.
+    const FINE: u32 = 8;
+
+    fn fine(self) -> u32 {
+        if let Self::Grid(count) = self { count } else { Self::FINE }
+    }
+
+    /// The rays of a pixel among the fine ones, from its upper left corner, with their weights.
+    fn rays(self, random: &mut Random) -> Vec<([i64; 2], f64)> {
+        let fine = i64::from(self.fine());
+        let all = |from: i64, to: i64| (from..to).flat_map(move |y| (from..to).map(move |x| [x, y]));
+        let weighted = |weight: fn(f64) -> f64| {
+            let own = |at: i64| weight((at as f64 + 0.5) / fine as f64 - 0.5);
+            all(-fine, 2 * fine).map(|[x, y]| ([x, y], own(x) * own(y))).collect()
+        };
+        match self {
+            Self::Grid(_) => all(0, fine).map(|at| (at, 1.0)).collect(),
+            Self::Anywhere(count) => {
+                (0..count).map(|_| ([0; 2].map(|_| random.below(fine as u64) as i64), 1.0)).collect()
+            }
+            Self::Tent => weighted(|x| (1.0 - x.abs()).max(0.0)),
+            Self::Gaussian => weighted(|x| (-2.0 * x * x).exp()),
+        }
+    }
+
+    /// The picture of a scene, of the mean light or of the mean codes of rays.
+    fn picture(self, fine: &Picture, size: [u32; 2], curve: CodeCurve, is_of_light: bool) -> Codes {
+        let mut random = Random::new(7);
+        let factor = i64::from(self.fine());
+        let [width, height] = size.map(|side| i64::from(side) * factor);
+        Codes::from_fn(size, |x, y| {
+            let (mut sum, mut whole) = ([0.0; 3], 0.0);
+            for ([right, below], weight) in self.rays(&mut random) {
+                let [x, y] = [i64::from(x) * factor + right, i64::from(y) * factor + below];
+                let light = fine.pixel(x.clamp(0, width - 1) as u32, y.clamp(0, height - 1) as u32).unwrap();
+                whole += weight;
+                for (sum, light) in sum.iter_mut().zip(light) {
+                    let light = f64::from(light);
+                    *sum += weight * if is_of_light { light } else { f64::from(code(curve, light)) / 255.0 };
+                }
+            }
+            sum.map(|sum| {
+                let mean = sum / whole;
+                if is_of_light { code(curve, mean) } else { (mean * 255.0).round() as u8 }
+            })
+        })
+    }
+}
+
+fn settings(curve: CodeCurve) -> DetectiveSettings {
+    // What is wrong does not matter here, so that it is looked for in few pixels.
+    DetectiveSettings { curve, searched_pixels: 64, probed_pixels: 64, ..DetectiveSettings::default() }
+}
+
+fn check(scene: &Scene, settings: DetectiveSettings, picture: &ObservedPicture) -> Verdict {
+    Detective::new(scene, settings).unwrap().check(picture, &RenderControl::default()).unwrap()
+}
+
+#[test]
+fn right_pictures_pass_however_they_are_filtered() {
+    let wrong: Vec<String> = files("examples/acceptance", "toml")
+        .par_iter()
+        .flat_map_iter(|path| {
+            let scene = scene_at(path);
+            let fine = [1, 2, 4, 8].map(|factor| traced(&scene, SIZE.map(|side| side * factor)));
+            let mut wrong = Vec::new();
+            for filter in PixelFilter::ALL {
+                for (curve, is_of_light) in
+                    [(CodeCurve::Linear, true), (CodeCurve::Srgb, true), (CodeCurve::Srgb, false)]
+                {
+                    let fine = &fine[filter.fine().ilog2() as usize];
+                    let picture = filter.picture(fine, SIZE, curve, is_of_light);
+                    let verdict = check(&scene, settings(curve), &picture.observed());
+                    if !verdict.is_right(Verdict::ALLOWED) {
+                        wrong.push(format!(
+                            "{} {filter:?} {curve:?} {is_of_light}: {} {:.4} {}",
+                            path.display(),
+                            verdict.sentence(&scene, Language::English),
+                            verdict.strayed,
+                            verdict.has_stray_patch,
+                        ));
+                    }
+                }
+            }
+            wrong
+        })
+        .collect();
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn pictures_of_another_renderer_pass() {
+    let wrong: Vec<String> = files("tests/reference", "exr")
+        .par_iter()
+        .filter_map(|path| {
+            let scene = scene_at(&path.with_extension("toml"));
+            let picture = catoptric_picture::read(path).unwrap();
+            let verdict = check(&scene, settings(CodeCurve::Linear), &ObservedPicture::of_light(&picture));
+            (!verdict.is_right(Verdict::ALLOWED)).then(|| {
+                format!(
+                    "{} {} {:.5} {}",
+                    path.display(),
+                    verdict.sentence(&scene, Language::English),
+                    verdict.strayed,
+                    verdict.has_stray_patch
+                )
+            })
+        })
+        .collect();
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// A picture that is wrong.
+#[derive(Clone, Copy, Debug)]
+enum Damage {
+    /// Every pixel anything.
+    Noise,
+    /// A share of the pixels anything.
+    Specks(f64),
+    /// Each `period`-th row or column of one color, the way it lies.
+    Stripes,
+    /// A square of so many pixels of one color.
+    Block(u32),
+    /// A rectangle shows what lies some pixels beside it.
+    ShiftedPart,
+    /// All is moved by some pixels.
+    Shifted,
+    /// The mean of a square around each pixel.
+    Blur,
+    /// One color all over.
+    Plain,
+    /// Black and white cells.
+    Checkerboard,
+    /// Pixels at edges lie anywhere between their neighbors.
+    NoisyEdges,
+    /// Pixels at edges have the lightest or the darkest code of their neighbors.
+    GrownEdges,
+    /// Pixels at edges have the other side's code.
+    SwappedEdges,
+}
+
+impl Damage {
+    const ALL: [Self; 16] = [
+        Self::Noise,
+        Self::Specks(0.3),
+        Self::Specks(0.03),
+        Self::Specks(0.015),
+        Self::Stripes,
+        Self::Block(2),
+        Self::Block(3),
+        Self::Block(8),
+        Self::ShiftedPart,
+        Self::Shifted,
+        Self::Blur,
+        Self::Plain,
+        Self::Checkerboard,
+        Self::NoisyEdges,
+        Self::GrownEdges,
+        Self::SwappedEdges,
+    ];
+
+    fn done(self, right: &Codes, random: &mut Random) -> Codes {
+        let size = right.size;
+        let [width, height] = size.map(i64::from);
+        let mut below = |limit: i64| random.below(limit.max(1) as u64) as i64;
+        let color = [0; 3].map(|_| below(256) as u8);
+        let color = [color, [255; 3], [0; 3], right.at(below(width), below(height))][below(4) as usize];
+        let around = |x: i64, y: i64, reach: i64| {
+            let all = (y - reach..=y + reach).flat_map(move |y| (x - reach..=x + reach).map(move |x| [x, y]));
+            all.map(|[x, y]| right.at(x, y))
+        };
+        let bounds = |x: u32, y: u32| {
+            let around = || around(x.into(), y.into(), 1);
+            [0, 1, 2].map(|c| {
+                (around().map(|code| code[c]).min().unwrap(), around().map(|code| code[c]).max().unwrap())
+            })
+        };
+        let is_edge = |x: u32, y: u32| bounds(x, y).iter().any(|(low, high)| high - low > 24);
+        match self {
+            Self::Noise => Codes::from_fn(size, |_, _| [0; 3].map(|_| below(256) as u8)),
+            Self::Specks(share) => Codes::from_fn(size, |x, y| {
+                let is_hit = (below(1 << 20) as f64) < share * f64::from(1 << 20);
+                if is_hit { [0; 3].map(|_| below(256) as u8) } else { right.at(x.into(), y.into()) }
+            }),
+            Self::Stripes => {
+                let (period, is_row) = (2 + below(6), below(2) == 0);
+                Codes::from_fn(size, |x, y| {
+                    let at = i64::from(if is_row { y } else { x });
+                    if at % period == 0 { color } else { right.at(x.into(), y.into()) }
+                })
+            }
+            Self::Block(side) => {
+                let side = i64::from(side);
+                let [left, top] = [below(width - side), below(height - side)];
+                Codes::from_fn(size, |x, y| {
+                    let [x, y] = [i64::from(x), i64::from(y)];
+                    let is_inside = (left..left + side).contains(&x) && (top..top + side).contains(&y);
+                    if is_inside { color } else { right.at(x, y) }
+                })
+            }
+            Self::ShiftedPart => {
+                let [left, top] = [below(width / 2), below(height / 2)];
+                let [wide, high] = [width / 2, height / 2].map(|side| side / 2 + below(side / 2));
+                let [right_by, down_by] = [[1, 0], [0, 1], [2, 1], [-3, 2], [-1, -1]][below(5) as usize];
+                Codes::from_fn(size, |x, y| {
+                    let [x, y] = [i64::from(x), i64::from(y)];
+                    let is_inside = (left..left + wide).contains(&x) && (top..top + high).contains(&y);
+                    if is_inside { right.at(x + right_by, y + down_by) } else { right.at(x, y) }
+                })
+            }
+            Self::Shifted => {
+                let by = [[1, 0], [0, 1], [-1, 1], [2, 0], [0, -3]][below(5) as usize];
+                Codes::from_fn(size, |x, y| right.at(i64::from(x) + by[0], i64::from(y) + by[1]))
+            }
+            Self::Blur => {
+                let reach = 1 + below(2);
+                let count = (2 * reach + 1) * (2 * reach + 1);
+                Codes::from_fn(size, |x, y| {
+                    let sum = |c: usize| {
+                        around(x.into(), y.into(), reach).map(|code| i64::from(code[c])).sum::<i64>()
+                    };
+                    [0, 1, 2].map(|c| (sum(c) / count) as u8)
+                })
+            }
+            Self::Plain => Codes::from_fn(size, |_, _| color),
+            Self::Checkerboard => {
+                let cell = 1 + below(4) as u32;
+                Codes::from_fn(size, |x, y| [if (x / cell + y / cell) % 2 == 0 { 0 } else { 255 }; 3])
+            }
+            Self::NoisyEdges => Codes::from_fn(size, |x, y| {
+                if !is_edge(x, y) {
+                    return right.at(x.into(), y.into());
+                }
+                let part = below(257);
+                bounds(x, y).map(|(low, high)| (i64::from(low) + i64::from(high - low) * part / 256) as u8)
+            }),
+            Self::GrownEdges => {
+                let is_high = below(2) == 0;
+                Codes::from_fn(size, |x, y| bounds(x, y).map(|(low, high)| if is_high { high } else { low }))
+            }
+            Self::SwappedEdges => Codes::from_fn(size, |x, y| {
+                let own = right.at(x.into(), y.into());
+                let bounds = bounds(x, y);
+                [0, 1, 2].map(|c| {
+                    let (low, high) = bounds[c];
+                    if own[c] - low > high - own[c] { low } else { high }
+                })
+            }),
+        }
+    }
+
+    /// The number of pixels that it has to change to be wrong for certain: where it only moves what edges show, more of
+    /// them than may differ there.
+    fn least(self, size: [u32; 2]) -> usize {
+        let all = (size[0] * size[1]) as usize;
+        match self {
+            Self::Block(_) => 4,
+            Self::Noise | Self::Specks(_) | Self::Stripes | Self::Plain | Self::Checkerboard => all / 75,
+            Self::ShiftedPart | Self::Shifted | Self::Blur => all / 50,
+            Self::NoisyEdges | Self::GrownEdges | Self::SwappedEdges => all / 25,
+        }
+    }
+}
+
+#[test]
+fn no_wrong_picture_passes() {
+    let scenes: Vec<(PathBuf, Scene)> = files("examples/acceptance", "toml")
+        .into_iter()
+        .map(|path| (path.clone(), scene_at(&path)))
+        .collect();
+    let filters = [PixelFilter::Grid(1), PixelFilter::Grid(4)];
+    let outcomes: Vec<(usize, Vec<String>)> = scenes
+        .par_iter()
+        .enumerate()
+        .map(|(number, (path, scene))| {
+            let detective = Detective::new(scene, settings(CodeCurve::Linear)).unwrap();
+            let (mut count, mut passed) = (0, Vec::new());
+            for filter in filters {
+                let fine = traced(scene, SIZE.map(|side| side * filter.fine()));
+                let right = filter.picture(&fine, SIZE, CodeCurve::Linear, true);
+                for (kind, damage) in Damage::ALL.into_iter().enumerate() {
+                    let mut random = Random::new((1000 * number + kind) as u64);
+                    let wrong = damage.done(&right, &mut random);
+                    if wrong.differing(&right) < damage.least(SIZE) {
+                        continue;
+                    }
+                    count += 1;
+                    let verdict = detective.check(&wrong.observed(), &RenderControl::default()).unwrap();
+                    if verdict.is_right(Verdict::ALLOWED) {
+                        passed.push(format!(
+                            "{} {filter:?} {damage:?} {}: {:.4}",
+                            path.display(),
+                            wrong.differing(&right),
+                            1.0 - verdict.agreed
+                        ));
+                    }
+                }
+            }
+            (count, passed)
+        })
+        .collect();
+    let count: usize = outcomes.iter().map(|(count, _)| count).sum();
+    let passed: Vec<String> = outcomes.into_iter().flat_map(|(_, passed)| passed).collect();
+    println!("{count} wrong pictures");
+    assert!(count >= 300, "{count}");
+    assert!(passed.is_empty(), "{} of {count}:\n{}", passed.len(), passed.join("\n"));
+}
