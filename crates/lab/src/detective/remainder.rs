@@ -120,7 +120,7 @@ pub(super) fn verdict(
         has_stray_patch: has_neighbors(strays.iter().map(|other| other.pixel.pixel)),
         judged: after.judged,
         clusters: after.clusters(scene_size),
-        simplest: SimplestDifference::of(&after.others, &explanation.stage),
+        simplest: SimplestDifference::of(&after, &explanation.stage),
     })
 }
 

@@ -1,12 +1,14 @@
 //! Where to look first: the simplest pixel that differs.
 
+use std::collections::BTreeMap;
+
 use catoptric_scene::Scene;
 use glam::Vec3;
 use serde_json::{Value, json};
 
 use super::codes::CodeStage;
 use super::remainder::{DifferenceKind, WorstPixel};
-use super::tally::DifferingPixel;
+use super::tally::{DifferingPixel, Tally};
 use super::verdict::body_in_words;
 use crate::report::Language;
 
@@ -27,12 +29,20 @@ pub struct SimplestDifference {
 }
 
 impl SimplestDifference {
-    /// The simplest of pixels that differ, those at edges last; of equal ones that which differs most.
-    pub(super) fn of(others: &[DifferingPixel], stage: &CodeStage) -> Option<Self> {
-        let key = |other: &DifferingPixel| (!other.is_beyond, other.term.generation, other.term.kind.rank());
-        let simplest = others.iter().min_by(|one, other| {
-            let by_difference = other.pixel.difference.total_cmp(&one.pixel.difference);
-            key(one).cmp(&key(other)).then(by_difference)
+    /// The simplest of pixels that differ. Pixels at edges count if they are too many for rounding; of equally simple
+    /// pixels that which differs most is taken.
+    pub(super) fn of(tally: &Tally, stage: &CodeStage) -> Option<Self> {
+        let mut groups: BTreeMap<_, Vec<&DifferingPixel>> = BTreeMap::new();
+        for other in &tally.others {
+            groups.entry((other.term.generation, other.term.kind.rank())).or_default().push(other);
+        }
+        let is_certain = |group: &&Vec<&DifferingPixel>| {
+            group.iter().any(|other| other.is_beyond) || tally.share(group.iter().copied()) > Tally::FLIPPED
+        };
+        let group = groups.values().find(is_certain).or(groups.values().next())?;
+        let simplest = group.iter().max_by(|one, other| {
+            let by_place = one.is_beyond.cmp(&other.is_beyond);
+            by_place.then(one.pixel.difference.total_cmp(&other.pixel.difference))
         })?;
         let found = Vec3::from(stage.light(simplest.found)) - simplest.term.rest;
         Some(Self {

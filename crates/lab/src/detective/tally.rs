@@ -37,6 +37,9 @@ pub(super) struct Tally {
 }
 
 impl Tally {
+    /// The share of pixels at edges where rounding may decide: edges through the middles of pixels.
+    pub(super) const FLIPPED: f64 = 0.001;
+
     /// The share of pixels that agree.
     pub(super) fn agreed(&self) -> f64 {
         1.0 - self.share(&self.others)
@@ -64,11 +67,9 @@ impl PictureTrial<'_> {
     const AT_ONCE: usize = 4096;
     /// What rounding in single precision makes of equal codes: three operations on numbers up to 1.
     const ROUNDING: f32 = 3.0 * f32::EPSILON;
-    /// The most that right pixels at edges scatter about the mean of very many rays, compared with a single ray: that
+    /// The most that right pixels at edges, but for a few, scatter about the mean of very many rays, compared with a single ray: that
     /// of two or three rays.
     const MOST_SCATTER: f64 = 0.4;
-    /// The share of pixels that may scatter more: edges through the middles of pixels, where rounding decides.
-    const FLIPPED: f64 = 0.001;
 
     /// Holds every pixel against the exact picture, or some of them against one with mistakes.
     pub(super) fn tally(&self) -> Result<Tally, DetectiveError> {
@@ -95,7 +96,7 @@ impl PictureTrial<'_> {
         others.extend(
             self.examined(some_of(outside, probed.max(judged / 64).min(4 * probed.max(1024))), true)?,
         );
-        let others = self.without_edges(others, Self::FLIPPED * judged as f64)?;
+        let others = self.without_edges(others, Tally::FLIPPED * judged as f64)?;
         Ok(Tally { judged, others })
     }
 

@@ -10,7 +10,7 @@ use catoptric_scene::Scene;
 use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, render};
 use rayon::prelude::*;
 
-const SIZE: [u32; 2] = [64, 48];
+const SIZE: [u32; 2] = [48, 36];
 
 fn folder(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(name)
@@ -29,7 +29,7 @@ fn files(name: &str, extension: &str) -> Vec<PathBuf> {
     all
 }
 
-fn traced(scene: &Scene, [width, height]: [u32; 2]) -> Picture {
+pub(super) fn traced(scene: &Scene, [width, height]: [u32; 2]) -> Picture {
     let prepared = RenderScene::build(scene).unwrap();
     render(&prepared, RenderSettings { width, height, samples: 1 }, &RenderControl::default())
         .unwrap()
@@ -63,6 +63,25 @@ impl Codes {
         let light = |code: u8| srgb::decode(f64::from(code) / 255.0) as f32;
         let pixels = self.codes.iter().map(|code| code.map(light)).collect();
         ObservedPicture::of_codes(&Picture::from_pixels(self.size[0], self.size[1], pixels).unwrap())
+    }
+
+    /// The bounds of each channel up to a distance around a pixel.
+    fn bounds(&self, x: u32, y: u32, reach: i64) -> [(u8, u8); 3] {
+        let [x, y] = [x, y].map(i64::from);
+        let all =
+            || (y - reach..=y + reach).flat_map(|y| (x - reach..=x + reach).map(move |x| self.at(x, y)));
+        [0, 1, 2]
+            .map(|c| (all().map(|code| code[c]).min().unwrap(), all().map(|code| code[c]).max().unwrap()))
+    }
+
+    /// The number of pixels that have codes which lie nowhere near in the other picture.
+    fn strays(&self, other: &Self) -> usize {
+        let is_stray = |x: u32, y: u32| {
+            let (own, bounds) = (self.at(x.into(), y.into()), other.bounds(x, y, 2));
+            (0..3).any(|c| own[c].saturating_add(8) < bounds[c].0 || own[c].saturating_sub(8) > bounds[c].1)
+        };
+        let all = (0..self.size[1]).flat_map(|y| (0..self.size[0]).map(move |x| (x, y)));
+        all.filter(|(x, y)| is_stray(*x, *y)).count()
     }
 
     /// The number of pixels that differ by more than eight codes.
@@ -151,12 +170,12 @@ impl PixelFilter {
     }
 }
 
-fn settings(curve: CodeCurve) -> DetectiveSettings {
-    // What is wrong does not matter here, so that it is looked for in few pixels.
-    DetectiveSettings { curve, searched_pixels: 64, probed_pixels: 64, ..DetectiveSettings::default() }
+pub(super) fn settings(curve: CodeCurve) -> DetectiveSettings {
+    // What is wrong does not matter here.
+    DetectiveSettings { curve, searched_pixels: 0, probed_pixels: 48, ..DetectiveSettings::default() }
 }
 
-fn check(scene: &Scene, settings: DetectiveSettings, picture: &ObservedPicture) -> Verdict {
+pub(super) fn check(scene: &Scene, settings: DetectiveSettings, picture: &ObservedPicture) -> Verdict {
     Detective::new(scene, settings).unwrap().check(picture, &RenderControl::default()).unwrap()
 }
 
@@ -164,14 +183,15 @@ fn check(scene: &Scene, settings: DetectiveSettings, picture: &ObservedPicture) 
 fn right_pictures_pass_however_they_are_filtered() {
     let wrong: Vec<String> = files("examples/acceptance", "toml")
         .par_iter()
-        .flat_map_iter(|path| {
+        .enumerate()
+        .flat_map_iter(|(number, path)| {
             let scene = scene_at(path);
             let fine = [1, 2, 4, 8].map(|factor| traced(&scene, SIZE.map(|side| side * factor)));
             let mut wrong = Vec::new();
-            for filter in PixelFilter::ALL {
-                for (curve, is_of_light) in
-                    [(CodeCurve::Linear, true), (CodeCurve::Srgb, true), (CodeCurve::Srgb, false)]
-                {
+            // Each filter meets each way in some scenes.
+            for (index, filter) in PixelFilter::ALL.into_iter().enumerate().skip(number % 2).step_by(2) {
+                let ways = [(CodeCurve::Linear, true), (CodeCurve::Srgb, true), (CodeCurve::Srgb, false)];
+                for (curve, is_of_light) in ways.into_iter().skip((number + index) % 3).step_by(3) {
                     let fine = &fine[filter.fine().ilog2() as usize];
                     let picture = filter.picture(fine, SIZE, curve, is_of_light);
                     let verdict = check(&scene, settings(curve), &picture.observed());
@@ -194,8 +214,10 @@ fn right_pictures_pass_however_they_are_filtered() {
 
 #[test]
 fn pictures_of_another_renderer_pass() {
-    let wrong: Vec<String> = files("tests/reference", "exr")
+    let all = files("tests/reference", "exr");
+    let wrong: Vec<String> = all
         .par_iter()
+        .step_by(3)
         .filter_map(|path| {
             let scene = scene_at(&path.with_extension("toml"));
             let picture = catoptric_picture::read(path).unwrap();
@@ -273,12 +295,7 @@ impl Damage {
             let all = (y - reach..=y + reach).flat_map(move |y| (x - reach..=x + reach).map(move |x| [x, y]));
             all.map(|[x, y]| right.at(x, y))
         };
-        let bounds = |x: u32, y: u32| {
-            let around = || around(x.into(), y.into(), 1);
-            [0, 1, 2].map(|c| {
-                (around().map(|code| code[c]).min().unwrap(), around().map(|code| code[c]).max().unwrap())
-            })
-        };
+        let bounds = |x: u32, y: u32| right.bounds(x, y, 1);
         let is_edge = |x: u32, y: u32| bounds(x, y).iter().any(|(low, high)| high - low > 24);
         match self {
             Self::Noise => Codes::from_fn(size, |_, _| [0; 3].map(|_| below(256) as u8)),
@@ -353,15 +370,17 @@ impl Damage {
         }
     }
 
-    /// The number of pixels that it has to change to be wrong for certain: where it only moves what edges show, more of
+    /// Whether it made a picture wrong for certain: where it only moved what edges show, it must have changed more of
     /// them than may differ there.
-    fn least(self, size: [u32; 2]) -> usize {
-        let all = (size[0] * size[1]) as usize;
+    fn is_seen(self, wrong: &Codes, right: &Codes) -> bool {
+        let all = right.codes.len();
         match self {
-            Self::Block(_) => 4,
-            Self::Noise | Self::Specks(_) | Self::Stripes | Self::Plain | Self::Checkerboard => all / 75,
-            Self::ShiftedPart | Self::Shifted | Self::Blur => all / 50,
-            Self::NoisyEdges | Self::GrownEdges | Self::SwappedEdges => all / 25,
+            Self::Block(_) => wrong.strays(right) > 1,
+            Self::Noise | Self::Specks(_) | Self::Stripes | Self::Plain | Self::Checkerboard => {
+                wrong.differing(right) > all / 75
+            }
+            Self::ShiftedPart | Self::Shifted | Self::Blur => wrong.differing(right) > all / 50,
+            Self::NoisyEdges | Self::GrownEdges | Self::SwappedEdges => wrong.differing(right) > all / 25,
         }
     }
 }
@@ -379,25 +398,24 @@ fn no_wrong_picture_passes() {
         .map(|(number, (path, scene))| {
             let detective = Detective::new(scene, settings(CodeCurve::Linear)).unwrap();
             let (mut count, mut passed) = (0, Vec::new());
-            for filter in filters {
-                let fine = traced(scene, SIZE.map(|side| side * filter.fine()));
-                let right = filter.picture(&fine, SIZE, CodeCurve::Linear, true);
-                for (kind, damage) in Damage::ALL.into_iter().enumerate() {
-                    let mut random = Random::new((1000 * number + kind) as u64);
-                    let wrong = damage.done(&right, &mut random);
-                    if wrong.differing(&right) < damage.least(SIZE) {
-                        continue;
-                    }
-                    count += 1;
-                    let verdict = detective.check(&wrong.observed(), &RenderControl::default()).unwrap();
-                    if verdict.is_right(Verdict::ALLOWED) {
-                        passed.push(format!(
-                            "{} {filter:?} {damage:?} {}: {:.4}",
-                            path.display(),
-                            wrong.differing(&right),
-                            1.0 - verdict.agreed
-                        ));
-                    }
+            let filter = filters[number % 2];
+            let fine = traced(scene, SIZE.map(|side| side * filter.fine()));
+            let right = filter.picture(&fine, SIZE, CodeCurve::Linear, true);
+            for (kind, damage) in Damage::ALL.into_iter().enumerate() {
+                let mut random = Random::new((1000 * number + kind) as u64);
+                let wrong = damage.done(&right, &mut random);
+                if !damage.is_seen(&wrong, &right) {
+                    continue;
+                }
+                count += 1;
+                let verdict = detective.check(&wrong.observed(), &RenderControl::default()).unwrap();
+                if verdict.is_right(Verdict::ALLOWED) {
+                    passed.push(format!(
+                        "{} {filter:?} {damage:?} {}: {:.4}",
+                        path.display(),
+                        wrong.differing(&right),
+                        1.0 - verdict.agreed
+                    ));
                 }
             }
             (count, passed)
@@ -406,6 +424,79 @@ fn no_wrong_picture_passes() {
     let count: usize = outcomes.iter().map(|(count, _)| count).sum();
     let passed: Vec<String> = outcomes.into_iter().flat_map(|(_, passed)| passed).collect();
     println!("{count} wrong pictures");
-    assert!(count >= 300, "{count}");
+    assert!(count >= 200, "{count}");
     assert!(passed.is_empty(), "{} of {count}:\n{}", passed.len(), passed.join("\n"));
+}
+
+fn acceptance(name: &str) -> Scene {
+    scene_at(&folder("examples/acceptance").join(name).with_extension("toml"))
+}
+
+#[test]
+fn what_lies_between_wrong_neighbors_is_wrong() {
+    let flat =
+        catoptric_scene::read("format = 'catoptric/1'\nenvironment = { background = [0.5, 0.5, 0.5] }");
+    let flat = flat.into_result().unwrap().value;
+    let checkerboard = Codes::from_fn([16, 12], |x, y| [if (x + y) % 2 == 0 { 0 } else { 255 }; 3]);
+    let striped = ["06-shadow", "12-glass"].map(|name| {
+        let scene = acceptance(name);
+        let right = PixelFilter::Grid(1).picture(&traced(&scene, SIZE), SIZE, CodeCurve::Linear, true);
+        let row = |x: u32, y: u32| if y % 2 == 0 { [255; 3] } else { right.at(x.into(), y.into()) };
+        (scene, Codes::from_fn(SIZE, row))
+    });
+    for (scene, wrong) in [(flat, checkerboard)].into_iter().chain(striped) {
+        for tolerance in [0.0, 2.0 / 255.0] {
+            // With all that a user has.
+            let settings =
+                DetectiveSettings { curve: CodeCurve::Linear, tolerance, ..DetectiveSettings::default() };
+            let verdict = check(&scene, settings, &wrong.observed());
+            assert!(!verdict.is_right(1.0), "{}", verdict.sentence(&scene, Language::English));
+            assert!(verdict.strayed > 0.2, "{} {}", verdict.agreed, verdict.strayed);
+        }
+    }
+}
+
+#[test]
+fn without_tolerance_codes_are_equal() {
+    let scene = acceptance("10-mirror");
+    for curve in [CodeCurve::Linear, CodeCurve::Srgb] {
+        let exact = DetectiveSettings { tolerance: 0.0, ..settings(curve) };
+        let picture = |filter: PixelFilter| {
+            filter.picture(&traced(&scene, SIZE.map(|side| side * filter.fine())), SIZE, curve, true)
+        };
+        let right = picture(PixelFilter::Grid(1));
+        let verdict = check(&scene, exact, &right.observed());
+        assert!(verdict.is_right(0.0) && verdict.simplest.is_none(), "{verdict:?}");
+        let mut off = right.clone();
+        off.codes[700][1] ^= 1;
+        let verdict = check(&scene, exact, &off.observed());
+        assert!(!verdict.is_right(0.0) && verdict.agreed < 1.0, "a code more or less");
+        // Antialiased pictures are right, but not equal.
+        let smooth = picture(PixelFilter::Grid(4)).observed();
+        assert!(check(&scene, settings(curve), &smooth).is_right(0.005));
+        assert!(!check(&scene, exact, &smooth).is_right(0.02));
+    }
+    // Numbers of light are equal or not.
+    let exact = DetectiveSettings { tolerance: 0.0, ..settings(CodeCurve::Linear) };
+    let mut picture = traced(&scene, SIZE);
+    assert!(check(&scene, exact, &ObservedPicture::of_light(&picture)).is_right(0.0));
+    picture.pixels_mut()[700][2] += 1e-4;
+    assert!(!check(&scene, exact, &ObservedPicture::of_light(&picture)).is_right(0.0));
+}
+
+/// A large picture is judged by every pixel of it, and a smooth one no less.
+#[test]
+fn a_block_of_four_pixels_is_found_in_a_large_picture() {
+    let (scene, size) = (acceptance("01-sphere"), [320, 240]);
+    for filter in [PixelFilter::Grid(1), PixelFilter::Grid(2)] {
+        let fine = traced(&scene, size.map(|side| side * filter.fine()));
+        let right = filter.picture(&fine, size, CodeCurve::Linear, true);
+        assert!(check(&scene, settings(CodeCurve::Linear), &right.observed()).is_right(Verdict::ALLOWED));
+        let is_inside = |x: u32, y: u32| (31..33).contains(&x) && (21..23).contains(&y);
+        let code = |x: u32, y: u32| if is_inside(x, y) { [255; 3] } else { right.at(x.into(), y.into()) };
+        let verdict = check(&scene, settings(CodeCurve::Linear), &Codes::from_fn(size, code).observed());
+        assert!(!verdict.is_right(Verdict::ALLOWED) && verdict.has_stray_patch);
+        let pixel = verdict.simplest.unwrap().pixel;
+        assert!(is_inside(pixel.stored[0], pixel.stored[1]) && pixel.found == [255; 3], "{pixel:?}");
+    }
 }

@@ -8,6 +8,7 @@ mod depth;
 mod detective;
 mod documents;
 mod exact;
+mod first_look;
 mod maps;
 mod measuring;
 mod scenes;
