@@ -65,10 +65,15 @@ pub(super) struct PictureTrial<'a> {
 impl PictureTrial<'_> {
     /// The pixels that are judged at once: their trees are not kept.
     const AT_ONCE: usize = 4096;
+    /// Of the pixels that differ apart from edges, all are probed up to this part of the picture: of right pictures there
+    /// are fewer, and among those a few wrong ones must not be overlooked.
+    const PROBED_PART: usize = 64;
+    /// The most pixels that are probed.
+    const MOST_PROBED: usize = 4096;
     /// What rounding in single precision makes of equal codes: three operations on numbers up to 1.
     const ROUNDING: f32 = 3.0 * f32::EPSILON;
-    /// The most that right pixels at edges, but for a few, scatter about the mean of very many rays, compared with a single ray: that
-    /// of two or three rays.
+    /// The most that right pixels at edges, but for a few, scatter about the mean of very many rays, compared with a
+    /// single ray: that of two or three rays.
     const MOST_SCATTER: f64 = 0.4;
 
     /// Holds every pixel against the exact picture, or some of them against one with mistakes.
@@ -79,7 +84,9 @@ impl PictureTrial<'_> {
         } else {
             self.differing_from_trees(&mut codes)?
         };
-        let mut losses = BlockLosses::new(self.settings.block, self.tolerance(), self.picture, &codes);
+        // Without tolerance nothing is explained away.
+        let block = if self.tolerance() > 0.0 { self.settings.block } else { 0 };
+        let mut losses = BlockLosses::new(block, self.tolerance(), self.picture, &codes);
         let (mut enclosed, mut outside) = (Vec::new(), Vec::new());
         for pixel in pixels {
             let stored = self.explanation.orientation.stored(pixel, self.picture.size());
@@ -91,11 +98,10 @@ impl PictureTrial<'_> {
             let is_enclosed = is_lost || codes.enclose(stored, found, self.tolerance());
             if is_enclosed { enclosed.push(pixel) } else { outside.push(pixel) }
         }
-        let probed = self.settings.probed_pixels;
-        let mut others = self.examined(some_of(enclosed, probed), false)?;
-        others.extend(
-            self.examined(some_of(outside, probed.max(judged / 64).min(4 * probed.max(1024))), true)?,
-        );
+        let most_at_edges = self.settings.probed_pixels;
+        let most_apart = most_at_edges.max(judged / Self::PROBED_PART).min(Self::MOST_PROBED);
+        let mut others = self.examined(some_of(enclosed, most_at_edges), false)?;
+        others.extend(self.examined(some_of(outside, most_apart), true)?);
         let others = self.without_edges(others, Tally::FLIPPED * judged as f64)?;
         Ok(Tally { judged, others })
     }
