@@ -157,7 +157,7 @@ impl<'a> Detective<'a> {
         let plain = trial.tally()?;
         let search = Search::new((trials, &self.faults), settings, picture, control);
         // What is left to explain is less than a mistake costs.
-        let is_explained = 1.0 - plain.agreed() <= DetectiveSettings::PRICE;
+        let is_explained = plain.differing <= DetectiveSettings::PRICE;
         let found = if is_explained || settings.searched_pixels == 0 {
             right.clone()
         } else {

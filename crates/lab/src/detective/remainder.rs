@@ -83,6 +83,9 @@ pub struct Cluster {
 const LEAST_AGREED: f64 = 0.5;
 /// A share of pixels by which an explanation may fall behind, since edges count in the one way only.
 const ROUNDING: f64 = 0.002;
+/// The part of the pixels that differ but for edges that mistakes may leave, where edges explain all of them: of an
+/// antialiased picture they leave nearly all.
+const LEFT_BY_MISTAKES: f64 = 0.25;
 /// The most clusters that are told.
 const MOST_CLUSTERS: usize = 12;
 /// Parts of the longer side of the picture within which differences count as neighbors.
@@ -101,7 +104,10 @@ pub(super) fn verdict(
         (found, plain)
     } else {
         let after = PictureTrial { explanation: found, ..trial }.tally()?;
-        let is_worth = after.agreed() >= LEAST_AGREED && after.agreed() + ROUNDING >= before;
+        let agrees = after.agreed() >= LEAST_AGREED && after.agreed() + ROUNDING >= before;
+        // Edges may explain the picture as well.
+        let is_needed = before < 1.0 - ROUNDING || after.differing < LEFT_BY_MISTAKES * plain.differing;
+        let is_worth = agrees && is_needed;
         if is_worth { (found, after) } else { (trial.explanation, plain) }
     };
     let size = trial.picture.size();

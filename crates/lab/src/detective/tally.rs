@@ -32,6 +32,8 @@ pub(super) struct DifferingPixel {
 pub(super) struct Tally {
     /// The number of pixels that were held against the explanation.
     pub(super) judged: usize,
+    /// The share of them that differ from the ray through the middle, whether edges explain that or not.
+    pub(super) differing: f64,
     /// Those that differ, or some of them.
     pub(super) others: Vec<DifferingPixel>,
 }
@@ -87,6 +89,7 @@ impl PictureTrial<'_> {
         // Without tolerance nothing is explained away.
         let block = if self.tolerance() > 0.0 { self.settings.block } else { 0 };
         let mut losses = BlockLosses::new(block, self.tolerance(), self.picture, &codes);
+        let differing = pixels.len() as f64 / judged.max(1) as f64;
         let (mut enclosed, mut outside) = (Vec::new(), Vec::new());
         for pixel in pixels {
             let stored = self.explanation.orientation.stored(pixel, self.picture.size());
@@ -103,7 +106,7 @@ impl PictureTrial<'_> {
         let mut others = self.examined(some_of(enclosed, most_at_edges), false)?;
         others.extend(self.examined(some_of(outside, most_apart), true)?);
         let others = self.without_edges(others, Tally::FLIPPED * judged as f64)?;
-        Ok(Tally { judged, others })
+        Ok(Tally { judged, differing, others })
     }
 
     fn tolerance(&self) -> f32 {

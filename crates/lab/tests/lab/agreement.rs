@@ -495,3 +495,15 @@ fn a_block_of_four_pixels_is_found_in_a_large_picture() {
         assert!(is_inside(pixel.stored[0], pixel.stored[1]) && pixel.found == [255; 3], "{pixel:?}");
     }
 }
+
+#[test]
+fn antialiased_pictures_are_accused_of_no_mistake() {
+    let searching = DetectiveSettings { searched_pixels: 400, ..settings(CodeCurve::Linear) };
+    for (name, filter) in [("06-shadow", PixelFilter::Grid(4)), ("10-mirror", PixelFilter::Gaussian)] {
+        let scene = acceptance(name);
+        let fine = traced(&scene, SIZE.map(|side| side * filter.fine()));
+        let right = filter.picture(&fine, SIZE, CodeCurve::Linear, true);
+        let verdict = check(&scene, searching, &right.observed());
+        assert!(verdict.is_right(0.005), "{name}: {}", verdict.sentence(&scene, Language::English));
+    }
+}
