@@ -85,7 +85,7 @@ impl SimplestDifference {
     }
 
     /// The same numbers as JSON, with names that stay.
-    pub(super) fn to_json(&self, scene: &Scene) -> Value {
+    pub(super) fn to_json(self, scene: &Scene) -> Value {
         json!({
             "words": self.in_words(scene, Language::English),
             "pixel": self.pixel.stored,
