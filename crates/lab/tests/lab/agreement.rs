@@ -341,7 +341,9 @@ impl Damage {
             Self::Plain => Codes::from_fn(size, |_, _| color),
             Self::Checkerboard => {
                 let cell = 1 + below(4) as u32;
-                Codes::from_fn(size, |x, y| [if (x / cell + y / cell) % 2 == 0 { 0 } else { 255 }; 3])
+                Codes::from_fn(size, |x, y| {
+                    [if (x / cell + y / cell).is_multiple_of(2) { 0 } else { 255 }; 3]
+                })
             }
             Self::NoisyEdges => Codes::from_fn(size, |x, y| {
                 if !is_edge(x, y) {
@@ -432,11 +434,11 @@ fn what_lies_between_wrong_neighbors_is_wrong() {
     let flat =
         catoptric_scene::read("format = 'catoptric/1'\nenvironment = { background = [0.5, 0.5, 0.5] }");
     let flat = flat.into_result().unwrap().value;
-    let checkerboard = Codes::from_fn([16, 12], |x, y| [if (x + y) % 2 == 0 { 0 } else { 255 }; 3]);
+    let checkerboard = Codes::from_fn([16, 12], |x, y| [if (x + y).is_multiple_of(2) { 0 } else { 255 }; 3]);
     let striped = ["06-shadow", "12-glass"].map(|name| {
         let scene = acceptance(name);
         let right = PixelFilter::Grid(1).picture(&traced(&scene, SIZE), SIZE, CodeCurve::Linear, true);
-        let row = |x: u32, y: u32| if y % 2 == 0 { [255; 3] } else { right.at(x.into(), y.into()) };
+        let row = |x: u32, y: u32| if y.is_multiple_of(2) { [255; 3] } else { right.at(x.into(), y.into()) };
         (scene, Codes::from_fn(SIZE, row))
     });
     for (scene, wrong) in [(flat, checkerboard)].into_iter().chain(striped) {
