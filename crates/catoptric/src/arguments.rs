@@ -9,6 +9,7 @@ use std::str::FromStr;
 
 use catoptric_exchange::{Dialect, ForeignFormat};
 use catoptric_lab::Variant;
+use catoptric_lab::detective::Verdict;
 use catoptric_lab::maps::MapKind;
 use catoptric_lab::measure::MeasurePlan;
 use catoptric_lab::report::Language;
@@ -294,11 +295,12 @@ pub(crate) struct CompareArguments {
     #[arg(long, value_name = "N", default_value_t = 3, value_parser = value_parser!(u32).range(1..=1000))]
     pub runs: u32,
     /// The largest difference of a channel that counts as equal, in linear light, 1/255 by default; for pictures without
-    /// methods in codes, 2/255 by default, and 8/255 for a JPEG
+    /// methods in codes, 2/255 by default, and 8/255 for a JPEG; with 0 codes must be the same, at edges, too
     #[arg(long, value_name = "D", allow_negative_numbers = true, value_parser = fraction)]
     pub tolerance: Option<f64>,
-    /// For pictures without methods, the share of pixels that may differ by more, 0 to 1
-    #[arg(long, value_name = "SHARE", default_value_t = 0.01, allow_negative_numbers = true, value_parser = share)]
+    /// For pictures without methods, the share of pixels at edges that may differ by more, 0 to 1; apart from edges only
+    /// single pixels may
+    #[arg(long, value_name = "SHARE", default_value_t = Verdict::ALLOWED, allow_negative_numbers = true, value_parser = share)]
     pub allow: f64,
     /// For pictures without methods, print what was found as JSON
     #[arg(long, conflicts_with = "methods")]

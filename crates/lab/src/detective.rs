@@ -5,6 +5,8 @@
 //! explains enough of the difference.
 
 mod codes;
+mod edges;
+mod expected;
 mod facts;
 mod faults;
 mod light_tree;
@@ -15,11 +17,15 @@ mod places;
 mod remainder;
 mod score;
 mod search;
+mod simplest;
+mod tally;
+mod terms;
 mod trials;
 mod verdict;
 
+use catoptric_picture::PictureFormat;
 use catoptric_scene::Scene;
-use catoptric_tracer::{RenderControl, SceneBuildError};
+use catoptric_tracer::{RenderControl, RenderError, SceneBuildError};
 
 pub use codes::{CodeCurve, CodeStage};
 pub use faults::Fault;
@@ -28,11 +34,14 @@ pub use observed::{ObservedPicture, Orientation};
 pub use page::{CheckedPicture, checked_page};
 pub use places::{Offset, OffsetKind, Window};
 pub use remainder::{Cluster, DifferenceKind, WorstPixel};
+pub use simplest::SimplestDifference;
 pub use verdict::Verdict;
 
 use facts::SceneFacts;
+use mistake::Explanation;
 use score::Judge;
 use search::Search;
+use tally::PictureTrial;
 use trials::Trials;
 
 /// How pictures are checked.
@@ -42,12 +51,21 @@ pub struct DetectiveSettings {
     pub curve: CodeCurve,
     /// The width and height that are expected, pixels; `None` (the default) for any.
     pub expected_size: Option<[u32; 2]>,
-    /// The largest difference of a channel that counts as equal, as a part of the largest code. Default 2/255.
+    /// The largest difference of a channel that counts as equal, as a part of the largest code. Default 2/255. With 0
+    /// codes must be equal, at edges, too.
     pub tolerance: f64,
-    /// About the most pixels of a picture by which mistakes are looked for. Default 4096.
+    /// The side of the blocks that the format of the picture compressed with loss, pixels: an edge disturbs all pixels of
+    /// its block. Default 0, none.
+    pub block: u32,
+    /// About the most pixels of a picture by which mistakes are looked for; with 0 it is only found out where the picture
+    /// differs. Default 4096.
     pub searched_pixels: usize,
-    /// About the most pixels that are held against the explanation in the end. Default 65536.
+    /// About the most pixels that are held against an explanation with mistakes. Against the exact picture all are.
+    /// Default 65536.
     pub judged_pixels: usize,
+    /// About the most pixels that differ at edges whose surroundings are traced; apart from edges, this is the least
+    /// number. Default 512.
+    pub probed_pixels: usize,
 }
 
 impl Default for DetectiveSettings {
@@ -56,8 +74,10 @@ impl Default for DetectiveSettings {
             curve: CodeCurve::Linear,
             expected_size: None,
             tolerance: 2.0 / 255.0,
+            block: 0,
             searched_pixels: 4096,
             judged_pixels: 65_536,
+            probed_pixels: 512,
         }
     }
 }
@@ -65,9 +85,22 @@ impl Default for DetectiveSettings {
 impl DetectiveSettings {
     /// The share of pixels that a mistake must explain to be named.
     const PRICE: f64 = 0.001;
+    /// The least tolerance of the search: rounding to codes is no mistake that could be found.
+    const LEAST_SEARCHED: f64 = 1.0 / 255.0;
+
+    /// The usual settings for a picture file of a format: JPEG may be off by
+    /// 8/255, and disturbs blocks of 16 pixels, since colors have half the resolution.
+    pub fn of_format(format: Option<PictureFormat>) -> Self {
+        let usual = Self::default();
+        match format {
+            Some(PictureFormat::Jpeg) => Self { tolerance: 8.0 / 255.0, block: 16, ..usual },
+            _ => usual,
+        }
+    }
 
     fn judge(&self) -> Judge {
-        Judge { curve: self.curve, tolerance: self.tolerance.max(0.0) as f32, price: Self::PRICE }
+        let tolerance = self.tolerance.max(Self::LEAST_SEARCHED) as f32;
+        Judge { curve: self.curve, tolerance, price: Self::PRICE }
     }
 }
 
@@ -77,6 +110,9 @@ pub enum DetectiveError {
     /// The scene cannot be prepared.
     #[error(transparent)]
     Scene(#[from] SceneBuildError),
+    /// The exact picture cannot be made.
+    #[error(transparent)]
+    Picture(#[from] RenderError),
     /// The picture has no pixels.
     #[error("the picture has no pixels")]
     Empty,
@@ -115,9 +151,19 @@ impl<'a> Detective<'a> {
         if picture.size().contains(&0) {
             return Err(DetectiveError::Empty);
         }
-        let search = Search::new((&self.trials, &self.faults), &self.settings, picture, control);
-        let found = search.run()?;
-        let size = search.other_size(found.explanation.orientation);
-        remainder::verdict(&self.trials, &self.settings, (picture, size), &found.explanation, control)
+        let (trials, settings) = (&self.trials, &self.settings);
+        let right = Explanation::right(settings.curve);
+        let trial = PictureTrial { trials, settings, picture, explanation: &right, control };
+        let plain = trial.tally()?;
+        let search = Search::new((trials, &self.faults), settings, picture, control);
+        // What is left to explain is less than a mistake costs.
+        let is_explained = plain.differing <= DetectiveSettings::PRICE;
+        let found = if is_explained || settings.searched_pixels == 0 {
+            right.clone()
+        } else {
+            search.run()?.explanation
+        };
+        let size = search.other_size(found.orientation);
+        remainder::verdict(trial, plain, &found, size)
     }
 }

@@ -142,12 +142,12 @@ fn settings(file: &PictureFile, input: &NamedScene, arguments: &CompareArguments
         None if input.foreign.is_some() => CodeCurve::Linear,
         None => CodeCurve::Srgb,
     };
-    let usual = if file.format == Some(PictureFormat::Jpeg) { 8.0 / 255.0 } else { 2.0 / 255.0 };
+    let usual = DetectiveSettings::of_format(file.format);
     DetectiveSettings {
         curve,
         expected_size: expected_size(input, arguments),
-        tolerance: arguments.tolerance.unwrap_or(usual),
-        ..DetectiveSettings::default()
+        tolerance: arguments.tolerance.unwrap_or(usual.tolerance),
+        ..usual
     }
 }
 
@@ -191,6 +191,9 @@ fn text(
     let name = file.path.display().to_string();
     let mut text = format!("{}: {word}: {}\n", visible(&name), verdict.sentence(scene, arguments.language));
     if !is_right {
+        if let Some(simplest) = &verdict.simplest {
+            text += &format!("  {}\n", simplest.in_words(scene, arguments.language));
+        }
         for line in verdict.lines(scene, arguments.language) {
             text += &format!("  {line}\n");
         }

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::common::{Folder, ONE_BODY};
-use catoptric_picture::{Picture, decode, write_exr};
+use catoptric_picture::{Picture, PictureFormat, SaveOptions, decode, write_exr};
 use serde_json::Value;
 
 fn folder() -> Folder {
@@ -90,9 +90,16 @@ fn a_right_picture_is_right_whatever_its_format() {
         let told = folder.good(&format!("compare a.rt --pictures {name} -q"));
         assert!(told.starts_with(&format!("{name}: right: 100")), "{told}");
     }
-    // Colors of a small JPEG are blurred at edges.
+    // In a JPEG edges disturb their blocks, and nothing else.
     folder.good("render a.rt -o a.jpg -q");
-    folder.good("compare a.rt --pictures a.jpg --allow 0.05 -q");
+    folder.good("compare a.rt --pictures a.jpg -q");
+    folder.good("render a.rt -o smooth.jpg --samples 16 -q");
+    folder.good("compare a.rt --pictures smooth.jpg -q");
+    // The codes are the same, unless they are antialiased.
+    folder.good("compare a.rt --pictures a.ppm,a.png,a.exr --tolerance 0 --allow 0 -q");
+    folder.good("render a.rt -o smooth.png --samples 16 -q");
+    folder.good("compare a.rt --pictures smooth.png -q");
+    assert_eq!(folder.run("compare a.rt --pictures smooth.png --tolerance 0 -q").status, Some(1));
     folder.good("render a.rt -o srgb.png --tone-curve none -q");
     folder.good("compare a.rt --pictures srgb.png --tone-curve none -q");
     let told = folder.run("compare a.rt --pictures srgb.png -q");
@@ -101,6 +108,26 @@ fn a_right_picture_is_right_whatever_its_format() {
         told.output.contains("codes have the sRGB curve (gamma), though linear ones are expected"),
         "{told:?}"
     );
+}
+
+#[test]
+fn pixels_that_no_edge_explains_are_wrong() {
+    let folder = Folder::new();
+    folder.write("a.rt", BALLS);
+    folder.good("render a.rt -o a.ppm -q");
+    let mut picture = decode(&folder.read("a.ppm")).unwrap();
+    let width = picture.width() as usize;
+    for place in [0, 1, width, width + 1] {
+        picture.pixels_mut()[5 * width + 9 + place] = [1.0; 3];
+    }
+    for (name, format) in [("block.png", PictureFormat::Png), ("block.jpg", PictureFormat::Jpeg)] {
+        let options = SaveOptions::new(format, None).unwrap();
+        options.prepare(&picture).unwrap().write(&folder.path(name)).unwrap();
+        let told = folder.run(&format!("compare a.rt --pictures {name} -q"));
+        assert_eq!(told.status, Some(1), "{told:?}");
+        let first = told.output.lines().nth(1).unwrap();
+        assert!(first.contains("look first at pixel") && first.contains("background"), "{told:?}");
+    }
 }
 
 #[test]

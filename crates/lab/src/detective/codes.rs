@@ -107,8 +107,26 @@ impl CodeStage {
         Self { curve, factor: 1.0, is_clamped_first: false, overflows: false, is_blue_first: false }
     }
 
-    /// The codes of light, parts of the largest.
+    /// The codes of light, parts of the largest, within a fifth of a code of 255.
     pub(super) fn apply(&self, light: [f32; 3]) -> [f32; 3] {
+        self.codes(light, |light| self.curve.code(light))
+    }
+
+    /// The codes of light by the formula of the curve.
+    pub(super) fn exact(&self, light: [f32; 3]) -> [f32; 3] {
+        self.codes(light, |light| match self.curve {
+            CodeCurve::Linear | CodeCurve::Reinhard => self.curve.code(light),
+            curve => curve.exact(f64::from(light.clamp(0.0, 1.0))) as f32,
+        })
+    }
+
+    /// The light of codes: the inverse, but for what is clamped or overflows.
+    pub(super) fn light(&self, codes: [f32; 3]) -> [f32; 3] {
+        let [red, green, blue] = codes.map(|code| self.curve.light(code) / self.factor);
+        if self.is_blue_first { [blue, green, red] } else { [red, green, blue] }
+    }
+
+    fn codes(&self, light: [f32; 3], code: impl Fn(f32) -> f32) -> [f32; 3] {
         let [red, green, blue] = light.map(|light| {
             let light = if self.is_clamped_first { light.min(1.0) } else { light };
             let light = light * self.factor;
@@ -117,7 +135,7 @@ impl CodeStage {
                 let code = self.curve.exact(f64::from(light)) * 255.0;
                 return ((code.floor() % 256.0) / 255.0) as f32;
             }
-            self.curve.code(light)
+            code(light)
         });
         if self.is_blue_first { [blue, green, red] } else { [red, green, blue] }
     }

@@ -8,6 +8,8 @@ pub struct ObservedPicture {
     size: [u32; 2],
     /// Codes as parts of the largest one, 0 to 1, row by row from the top.
     values: Vec<[f32; 3]>,
+    /// The largest code, if all are whole numbers.
+    largest_code: Option<f32>,
 }
 
 impl ObservedPicture {
@@ -23,10 +25,12 @@ impl ObservedPicture {
 
     fn of(picture: &Picture, value: impl Fn(f32) -> f32) -> Self {
         let value = |light: f32| if light > 0.0 { value(light).min(1.0) } else { 0.0 };
-        Self {
-            size: [picture.width(), picture.height()],
-            values: picture.pixels().iter().map(|pixel| pixel.map(&value)).collect(),
+        let mut values: Vec<[f32; 3]> = picture.pixels().iter().map(|pixel| pixel.map(&value)).collect();
+        let largest_code = LARGEST_CODES.into_iter().find(|largest| are_whole(&values, *largest));
+        if let Some(largest) = largest_code {
+            values.iter_mut().flatten().for_each(|value| *value = (*value * largest).round() / largest);
         }
+        Self { size: [picture.width(), picture.height()], values, largest_code }
     }
 
     /// Width and height as stored, pixels.
@@ -40,20 +44,25 @@ impl ObservedPicture {
         self.values.get(place as usize).copied().unwrap_or_default()
     }
 
-    /// The least and the largest codes of a stored pixel and its eight neighbors.
-    pub(super) fn range_around(&self, [x, y]: [u32; 2]) -> [[f32; 3]; 2] {
-        let [width, height] = self.size;
-        let (mut low, mut high) = ([1.0_f32; 3], [0.0_f32; 3]);
-        for y in y.saturating_sub(1)..=(y + 1).min(height.saturating_sub(1)) {
-            for x in x.saturating_sub(1)..=(x + 1).min(width.saturating_sub(1)) {
-                let value = self.value([x, y]);
-                for ((low, high), value) in low.iter_mut().zip(&mut high).zip(value) {
-                    (*low, *high) = (low.min(value), high.max(value));
-                }
-            }
+    /// Codes rounded as those of the picture are.
+    pub(super) fn rounded(&self, codes: [f32; 3]) -> [f32; 3] {
+        match self.largest_code {
+            Some(largest) => codes.map(|code| (code * largest).round() / largest),
+            None => codes,
         }
-        [low, high]
     }
+}
+
+/// The largest codes of files, 8 and 16 bits.
+const LARGEST_CODES: [f32; 2] = [255.0, 65_535.0];
+
+/// Whether all codes are whole numbers, but for the rounding of the way to light and back.
+fn are_whole(values: &[[f32; 3]], largest: f32) -> bool {
+    const ROUNDING: f32 = 0.03;
+    values.as_flattened().iter().all(|value| {
+        let code = value * largest;
+        (code - code.round()).abs() < ROUNDING
+    })
 }
 
 /// How the stored pixels lie to those of the upright picture.
@@ -133,6 +142,22 @@ impl Orientation {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn codes_are_rounded_as_in_the_file() {
+        for largest in [255.0_f64, 65_535.0] {
+            let code = |at: u32| f64::from(at * 37 % 251) / 251.0;
+            let light = |x, y| [srgb::decode((code(x + 7 * y) * largest).round() / largest) as f32; 3];
+            let observed = ObservedPicture::of_codes(&Picture::from_fn(16, 16, light).unwrap());
+            assert_eq!(observed.largest_code, Some(largest as f32));
+            let expected = (code(3 + 7 * 5) * largest).round() as f32 / largest as f32;
+            assert_eq!(observed.value([3, 5]), [expected; 3]);
+            assert_eq!(observed.rounded([expected + 0.4 / largest as f32; 3]), [expected; 3]);
+        }
+        let picture = Picture::from_fn(16, 16, |x, y| [(x + 16 * y) as f32 / 257.3; 3]).unwrap();
+        let light = ObservedPicture::of_light(&picture);
+        assert_eq!(light.rounded([0.123_456; 3]), [0.123_456; 3]);
+    }
 
     #[test]
     fn every_orientation_moves_each_pixel_to_a_place_of_its_own() {

@@ -74,6 +74,9 @@ impl CheckedPicture {
         figure(html, &self.picture, &stored, &self.name)?;
         figure(html, &self.exact, &upright, language.checked_exact())?;
         html.push_str("</div>\n");
+        if let Some(simplest) = self.verdict.simplest.filter(|_| !is_right) {
+            let _ = writeln!(html, "<p>{}</p>", escape(&simplest.in_words(&self.scene, language)));
+        }
         if !clusters.is_empty() {
             self.places(html, language);
         }

@@ -2,18 +2,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use catoptric_tracer::RenderControl;
-
-use super::codes::CodeStage;
-use super::faults::{Fault, FaultSet};
-use super::light_tree::{LightLaw, LightTrees};
+use super::DetectiveError;
 use super::mistake::{Explanation, Mistake};
-use super::observed::ObservedPicture;
-use super::places::PixelChoice;
-use super::score::Judge;
-use super::trials::Trials;
+use super::simplest::SimplestDifference;
+use super::tally::{DifferingPixel, PictureTrial, Tally};
 use super::verdict::Verdict;
-use super::{DetectiveError, DetectiveSettings};
 
 /// What a difference has to do with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -42,6 +35,18 @@ impl DifferenceKind {
             Self::Refraction => "refraction",
             Self::Surface => "surface",
             Self::Background => "background",
+        }
+    }
+
+    /// The order in which a program learns them, the simplest first.
+    pub(super) const fn rank(self) -> u8 {
+        match self {
+            Self::Background => 0,
+            Self::Surface => 1,
+            Self::Shadow => 2,
+            Self::Highlight => 3,
+            Self::Reflection => 4,
+            Self::Refraction => 5,
         }
     }
 }
@@ -78,105 +83,62 @@ pub struct Cluster {
 const LEAST_AGREED: f64 = 0.5;
 /// A share of pixels by which an explanation may fall behind, since edges count in the one way only.
 const ROUNDING: f64 = 0.002;
-/// The pixels that are judged at once: their trees are not kept.
-const AT_ONCE: usize = 4096;
+/// The part of the pixels that differ but for edges that mistakes may leave, where edges explain all of them: of an
+/// antialiased picture they leave nearly all.
+const LEFT_BY_MISTAKES: f64 = 0.25;
 /// The most clusters that are told.
 const MOST_CLUSTERS: usize = 12;
 /// Parts of the longer side of the picture within which differences count as neighbors.
 const CELLS: u32 = 32;
 
-/// Holds the picture against the explanation, and against a picture without mistakes.
+/// What is said of a picture that was held against one without mistakes, as `plain` tells, and is now held against the
+/// explanation that was found; `expected` is the size that it should have, if it has another one.
 pub(super) fn verdict(
-    trials: &Trials<'_>,
-    settings: &DetectiveSettings,
-    (picture, expected): (&ObservedPicture, Option<[u32; 2]>),
-    explanation: &Explanation,
-    control: &RenderControl,
+    trial: PictureTrial<'_>,
+    plain: Tally,
+    found: &Explanation,
+    expected: Option<[u32; 2]>,
 ) -> Result<Verdict, DetectiveError> {
-    let right = Explanation::right(settings.curve);
-    let plain = Tally::of(trials, settings, picture, &right, control)?;
     let before = plain.agreed();
-    let (explanation, after) = match explanation {
-        explanation if *explanation == right => (&right, plain),
-        explanation => {
-            let after = Tally::of(trials, settings, picture, explanation, control)?;
-            let is_worth = after.agreed() >= LEAST_AGREED && after.agreed() + ROUNDING >= before;
-            if is_worth { (explanation, after) } else { (&right, plain) }
-        }
+    let (explanation, after) = if found == trial.explanation {
+        (found, plain)
+    } else {
+        let after = PictureTrial { explanation: found, ..trial }.tally()?;
+        let agrees = after.agreed() >= LEAST_AGREED && after.agreed() + ROUNDING >= before;
+        // Edges may explain the picture as well.
+        let is_needed = before < 1.0 - ROUNDING || after.differing < LEFT_BY_MISTAKES * plain.differing;
+        let is_worth = agrees && is_needed;
+        if is_worth { (found, after) } else { (trial.explanation, plain) }
     };
+    let size = trial.picture.size();
     let mut mistakes: Vec<Mistake> =
-        expected.map(|expected| Mistake::Size { expected, found: picture.size() }).into_iter().collect();
-    mistakes.extend(explanation.mistakes(settings.curve));
-    let size = explanation.orientation.upright_size(picture.size());
+        expected.map(|expected| Mistake::Size { expected, found: size }).into_iter().collect();
+    mistakes.extend(explanation.mistakes(trial.settings.curve));
+    let scene_size = explanation.orientation.upright_size(size);
+    let strays: Vec<&DifferingPixel> = after.others.iter().filter(|other| other.is_beyond).collect();
     Ok(Verdict {
         mistakes,
-        size: picture.size(),
-        scene_size: size,
+        size,
+        scene_size,
         agreed_before: before,
         agreed: after.agreed(),
+        strayed: after.share(strays.iter().copied()),
+        has_stray_patch: has_neighbors(strays.iter().map(|other| other.pixel.pixel)),
         judged: after.judged,
-        clusters: after.clusters(size),
+        clusters: after.clusters(scene_size),
+        simplest: SimplestDifference::of(&after, &explanation.stage),
     })
 }
 
-/// The pixels that agree, and those that do not.
-#[derive(Debug, Default)]
-struct Tally {
-    judged: usize,
-    others: Vec<WorstPixel>,
-}
-
 impl Tally {
-    fn of(
-        trials: &Trials<'_>,
-        settings: &DetectiveSettings,
-        picture: &ObservedPicture,
-        explanation: &Explanation,
-        control: &RenderControl,
-    ) -> Result<Self, DetectiveError> {
-        let size = explanation.orientation.upright_size(picture.size());
-        let choice = PixelChoice::new(size, settings.judged_pixels);
-        let mut tally = Self { judged: choice.pixels.len(), others: Vec::new() };
-        for pixels in choice.pixels.chunks(AT_ONCE) {
-            let part = PixelChoice { size, pixels: pixels.to_vec(), pairs: Vec::new() };
-            let rays = explanation.offset.rays().into_iter();
-            let trees = rays.map(|offset| trials.traced_once(&part, explanation, offset, control));
-            let trees: Vec<LightTrees> = trees.collect::<Result<_, _>>()?;
-            let laws = Laws::new(trials, explanation)?;
-            let mut sums = Vec::new();
-            for (place, pixel) in pixels.iter().enumerate() {
-                let stored = explanation.orientation.stored(*pixel, picture.size());
-                let seen =
-                    ObservedPixel { found: picture.value(stored), range: picture.range_around(stored) };
-                tally.others.extend(
-                    laws.difference(&trees, place, &seen, settings.tolerance as f32, &mut sums).map(
-                        |(expected, kind)| WorstPixel {
-                            stored,
-                            pixel: *pixel,
-                            found: codes(seen.found),
-                            expected: codes(expected),
-                            body: trees.first().and_then(|trees| trees.body(place)),
-                            kind,
-                            difference: Judge::distance(seen.found, expected),
-                        },
-                    ),
-                );
-            }
-        }
-        Ok(tally)
-    }
-
-    fn agreed(&self) -> f64 {
-        1.0 - self.others.len() as f64 / self.judged.max(1) as f64
-    }
-
     /// The differences by body and kind, put together where they are neighbors; the largest first.
     fn clusters(&self, [width, height]: [u32; 2]) -> Vec<Cluster> {
         let side = width.max(height).div_ceil(CELLS).max(1);
-        let mut topics: BTreeMap<_, BTreeMap<[u32; 2], Vec<&WorstPixel>>> = BTreeMap::new();
+        let mut topics: BTreeMap<_, BTreeMap<[u32; 2], Vec<&DifferingPixel>>> = BTreeMap::new();
         for other in &self.others {
-            let cell = other.pixel.map(|at| at / side);
-            topics.entry((other.body, other.kind)).or_default().entry(cell).or_default().push(other);
+            let WorstPixel { pixel, body, kind, .. } = other.pixel;
+            let cell = pixel.map(|at| at / side);
+            topics.entry((body, kind)).or_default().entry(cell).or_default().push(other);
         }
         let mut clusters = Vec::new();
         for cells in topics.values() {
@@ -184,18 +146,27 @@ impl Tally {
             while let Some(first) = left.pop_first() {
                 let members = connected(first, &mut left);
                 let pixels = members.iter().filter_map(|cell| cells.get(cell)).flatten();
-                let count = pixels.clone().count();
-                let Some(worst) = pixels.max_by(|one, other| one.difference.total_cmp(&other.difference))
-                else {
-                    continue;
-                };
-                clusters.push(Cluster { share: count as f64 / self.judged.max(1) as f64, worst: **worst });
+                let share = self.share(pixels.clone().copied());
+                let worst = pixels.map(|other| other.pixel);
+                let worst = worst.max_by(|one, other| one.difference.total_cmp(&other.difference));
+                clusters.extend(worst.map(|worst| Cluster { share, worst }));
             }
         }
         clusters.sort_by(|one, other| other.share.total_cmp(&one.share));
         clusters.truncate(MOST_CLUSTERS);
         clusters
     }
+}
+
+/// Whether two of the pixels touch, if only at a corner.
+fn has_neighbors(pixels: impl Iterator<Item = [u32; 2]>) -> bool {
+    let all: BTreeSet<[u32; 2]> = pixels.collect();
+    let touches = |[x, y]: &[u32; 2]| {
+        // Each pair is found from the one of them that stands first.
+        let after = [[x + 1, *y], [x + 1, y + 1], [*x, y + 1], [x + 1, y.wrapping_sub(1)]];
+        after.iter().any(|other| all.contains(other))
+    };
+    all.iter().any(touches)
 }
 
 /// The cells that are connected with the first, taken out of those that are left.
@@ -213,109 +184,4 @@ fn connected(first: [u32; 2], left: &mut BTreeSet<[u32; 2]>) -> Vec<[u32; 2]> {
         }
     }
     members
-}
-
-fn codes(values: [f32; 3]) -> [u8; 3] {
-    values.map(|value| (value * 255.0).round() as u8)
-}
-
-/// A pixel of the picture with its surroundings.
-struct ObservedPixel {
-    found: [f32; 3],
-    range: [[f32; 3]; 2],
-}
-
-impl ObservedPixel {
-    /// Whether a code is the pixel's, or lies between those of an edge that goes through it: programs differ there in
-    /// rounding and in the number of samples.
-    fn agrees(&self, code: [f32; 3], tolerance: f32) -> bool {
-        if Judge::distance(self.found, code) <= tolerance {
-            return true;
-        }
-        let [low, high] = self.range;
-        let is_edge = Judge::distance(low, high) > 4.0 * tolerance;
-        let is_between = low
-            .iter()
-            .zip(high)
-            .zip(code)
-            .all(|((low, high), code)| (low - tolerance..=high + tolerance).contains(&code));
-        is_edge && is_between
-    }
-}
-
-/// The law of an explanation, and others that show what a difference has to do with.
-struct Laws<'a> {
-    stage: CodeStage,
-    own: LightLaw<'a>,
-    /// The law of points in their own shadow, if there are such.
-    acne: Option<LightLaw<'a>>,
-    others: Vec<(DifferenceKind, LightLaw<'a>)>,
-}
-
-impl<'a> Laws<'a> {
-    fn new(trials: &'a Trials<'_>, explanation: &Explanation) -> Result<Self, DetectiveError> {
-        let scene = trials.changed_scene(explanation.scene)?;
-        let law = |faults: &FaultSet| LightLaw::new(scene, faults);
-        let with = |fault| explanation.faults.with(fault).map(|faults| law(&faults));
-        let others = [
-            (DifferenceKind::Shadow, with(Fault::NoShadows)),
-            (DifferenceKind::Shadow, Some(law(&explanation.faults).darkened())),
-            (DifferenceKind::Highlight, with(Fault::NoHighlight)),
-            (DifferenceKind::Reflection, with(Fault::NoReflection)),
-            (DifferenceKind::Refraction, with(Fault::NoRefraction)),
-        ];
-        Ok(Self {
-            stage: explanation.stage,
-            own: law(&explanation.faults),
-            acne: explanation.has_acne.then(|| law(&explanation.faults).darkened()),
-            others: others.into_iter().filter_map(|(kind, law)| Some((kind, law?))).collect(),
-        })
-    }
-
-    /// The code of a place by a law: the mean of its rays.
-    fn code(
-        &self,
-        trees: &[LightTrees],
-        place: usize,
-        law: &LightLaw<'_>,
-        sums: &mut Vec<glam::Vec3>,
-    ) -> [f32; 3] {
-        let mut code = [0.0; 3];
-        for own in trees {
-            let of_ray = self.stage.apply(own.light(place, law, sums));
-            code.iter_mut().zip(of_ray).for_each(|(code, own)| *code += own / trees.len() as f32);
-        }
-        code
-    }
-
-    /// The code that is expected of a pixel, and what its difference has to do with; `None` if it agrees.
-    fn difference(
-        &self,
-        trees: &[LightTrees],
-        place: usize,
-        seen: &ObservedPixel,
-        tolerance: f32,
-        sums: &mut Vec<glam::Vec3>,
-    ) -> Option<([f32; 3], DifferenceKind)> {
-        let expected = self.code(trees, place, &self.own, sums);
-        if seen.agrees(expected, tolerance) {
-            return None;
-        }
-        if let Some(acne) = &self.acne
-            && seen.agrees(self.code(trees, place, acne, sums), tolerance)
-        {
-            return None;
-        }
-        let distance = Judge::distance(seen.found, expected);
-        let mut nearest = None;
-        for (kind, law) in &self.others {
-            let other = Judge::distance(seen.found, self.code(trees, place, law, sums));
-            if other < 0.5 * distance && nearest.is_none_or(|(_, least)| other < least) {
-                nearest = Some((*kind, other));
-            }
-        }
-        let is_seen = trees.first().is_some_and(|trees| trees.body(place).is_some());
-        let plain = if is_seen { DifferenceKind::Surface } else { DifferenceKind::Background };
-        Some((expected, nearest.map_or(plain, |(kind, _)| kind)))
-    }
 }

@@ -4,8 +4,11 @@ use std::collections::HashMap;
 use std::hash::Hash;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
+use catoptric_picture::Picture;
 use catoptric_scene::Scene;
-use catoptric_tracer::{RenderControl, RenderScene, SceneBuildError, WhittedIntegrator};
+use catoptric_tracer::{
+    RenderControl, RenderError, RenderScene, RenderSettings, SceneBuildError, WhittedIntegrator, render,
+};
 use glam::DVec2;
 use rayon::prelude::*;
 
@@ -133,7 +136,32 @@ impl<'a> Trials<'a> {
         offset: Offset,
         control: &RenderControl,
     ) -> Result<LightTrees, DetectiveError> {
-        self.traced(choice, RayKey::new(choice, explanation, offset), control)
+        self.traced(choice, (RayKey::new(choice, explanation, offset), DVec2::ZERO), control)
+    }
+
+    /// The trees of rays beside those of the offset, which are not kept.
+    pub(super) fn traced_beside(
+        &self,
+        choice: &PixelChoice,
+        explanation: &Explanation,
+        (offset, beside): (Offset, DVec2),
+        control: &RenderControl,
+    ) -> Result<LightTrees, DetectiveError> {
+        self.traced(choice, (RayKey::new(choice, explanation, offset), beside), control)
+    }
+
+    /// The exact picture.
+    pub(super) fn exact(
+        &self,
+        [width, height]: [u32; 2],
+        control: &RenderControl,
+    ) -> Result<Picture, DetectiveError> {
+        let settings = RenderSettings { width, height, samples: 1 };
+        match render(&self.prepared, settings, control) {
+            Ok(output) => Ok(output.picture),
+            Err(RenderError::Cancelled) => Err(DetectiveError::Cancelled),
+            Err(error) => Err(error.into()),
+        }
     }
 
     /// The scene with or without a mistake.
@@ -150,7 +178,7 @@ impl<'a> Trials<'a> {
         if let Some(trees) = locked(&self.trees, |trees| trees.get(&key)) {
             return Ok(trees);
         }
-        let trees = Arc::new(self.traced(choice, key, control)?);
+        let trees = Arc::new(self.traced(choice, (key, DVec2::ZERO), control)?);
         locked(&self.trees, |shelf| shelf.put(key, Arc::clone(&trees)));
         Ok(trees)
     }
@@ -158,7 +186,7 @@ impl<'a> Trials<'a> {
     fn traced(
         &self,
         choice: &PixelChoice,
-        key: RayKey,
+        (key, beside): (RayKey, DVec2),
         control: &RenderControl,
     ) -> Result<LightTrees, DetectiveError> {
         let (scene, prepared) = self.scene_with(key.scene)?;
@@ -173,7 +201,7 @@ impl<'a> Trials<'a> {
                 WhittedIntegrator::watched(prepared, camera, control).with_limits(generations, threshold);
             let mut trees = LightTrees::default();
             for pixel in pixels {
-                let at = 0.5 * size + (key.offset.at(*pixel, choice.size) - 0.5 * size) * scale;
+                let at = 0.5 * size + (key.offset.at(*pixel, choice.size) + beside - 0.5 * size) * scale;
                 trees.push(scene, &integrator.tree(camera.ray(at, size), Self::MOST_RAYS));
             }
             control.add_pixels(pixels.len() as u64);

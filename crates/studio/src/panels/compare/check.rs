@@ -67,12 +67,13 @@ fn check(
         return Err(String::new());
     };
     let scene = Scene { camera: view.camera, ..Scene::clone(&found.scene) };
-    let is_light = found.key.sources.iter().any(is_file_of_light);
+    let format = found.key.sources.iter().find_map(format_of);
+    let is_light = format.is_some_and(|format| format.depths() == [SampleDepth::Linear]);
     let observed =
         if is_light { ObservedPicture::of_light(picture) } else { ObservedPicture::of_codes(picture) };
     let has_linear_codes = is_light || development.tone_curve == ToneCurve::LinearCodes;
     let curve = if has_linear_codes { CodeCurve::Linear } else { CodeCurve::Srgb };
-    let settings = DetectiveSettings { curve, ..DetectiveSettings::default() };
+    let settings = DetectiveSettings { curve, ..DetectiveSettings::of_format(format) };
     let checked = Detective::new(&scene, settings).and_then(|detective| detective.check(&observed, control));
     match checked {
         Ok(verdict) => Ok(CheckedScene { verdict, scene }),
@@ -80,9 +81,11 @@ fn check(
     }
 }
 
-fn is_file_of_light(source: &ComparedPicture) -> bool {
-    let ComparedPicture::File(path) = source else { return false };
-    PictureFormat::of_path(path).is_some_and(|format| format.depths() == [SampleDepth::Linear])
+fn format_of(source: &ComparedPicture) -> Option<PictureFormat> {
+    match source {
+        ComparedPicture::File(path) => PictureFormat::of_path(path),
+        ComparedPicture::Method(_) => None,
+    }
 }
 
 /// The picture of the file, where a traced one is held against it.
@@ -142,8 +145,12 @@ pub(super) fn result_ui(ui: &mut Ui, cx: &Cx<'_>, state: &mut CheckState, found:
 
 fn verdict_ui(ui: &mut Ui, cx: &Cx<'_>, checked: &CheckedScene) {
     let language = report_language(cx.texts);
-    ui.add(Label::new(checked.verdict.sentence(&checked.scene, language)).wrap());
-    for line in checked.verdict.lines(&checked.scene, language) {
+    let verdict = &checked.verdict;
+    ui.add(Label::new(verdict.sentence(&checked.scene, language)).wrap());
+    if let Some(simplest) = verdict.simplest.filter(|_| !verdict.is_right(Verdict::ALLOWED)) {
+        ui.add(Label::new(simplest.in_words(&checked.scene, language)).wrap());
+    }
+    for line in verdict.lines(&checked.scene, language) {
         ui.add(Label::new(RichText::new(line).weak()).wrap());
     }
 }
