@@ -7,6 +7,7 @@
 mod codes;
 mod facts;
 mod faults;
+mod groups;
 mod light_tree;
 mod mistake;
 mod observed;
@@ -18,11 +19,13 @@ mod search;
 mod trials;
 mod verdict;
 
+use catoptric_picture::{Development, PictureFormat, ToneCurve};
 use catoptric_scene::Scene;
 use catoptric_tracer::{RenderControl, SceneBuildError};
 
 pub use codes::{CodeCurve, CodeStage};
 pub use faults::Fault;
+pub use groups::MistakeGroup;
 pub use mistake::{Mistake, SceneMistake};
 pub use observed::{ObservedPicture, Orientation};
 pub use page::{CheckedPicture, checked_page};
@@ -65,6 +68,27 @@ impl Default for DetectiveSettings {
 impl DetectiveSettings {
     /// The share of pixels that a mistake must explain to be named.
     const PRICE: f64 = 0.001;
+
+    /// The settings for a picture file of this format, if that is known. Of codes, `curve` says how they belong to light:
+    /// if it is `None`, those of scenes of other programs are in proportion to it (`is_foreign`), and others have the sRGB
+    /// curve. Codes of a JPEG are equal within 8/255.
+    pub fn of_file(format: Option<PictureFormat>, curve: Option<ToneCurve>, is_foreign: bool) -> Self {
+        let is_linear = match curve {
+            _ if format.is_some_and(PictureFormat::is_of_light) => true,
+            Some(curve) => curve == ToneCurve::LinearCodes,
+            None => is_foreign,
+        };
+        let usual = Self::default();
+        let tolerance = if format == Some(PictureFormat::Jpeg) { 8.0 / 255.0 } else { usual.tolerance };
+        Self { curve: if is_linear { CodeCurve::Linear } else { CodeCurve::Srgb }, tolerance, ..usual }
+    }
+
+    /// How the exact picture is shown beside the codes that are expected.
+    pub fn development(&self) -> Development {
+        let is_linear = self.curve == CodeCurve::Linear;
+        let tone_curve = if is_linear { ToneCurve::LinearCodes } else { ToneCurve::None };
+        Development { tone_curve, ..Development::default() }
+    }
 
     fn judge(&self) -> Judge {
         Judge { curve: self.curve, tolerance: self.tolerance.max(0.0) as f32, price: Self::PRICE }

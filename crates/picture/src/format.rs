@@ -100,6 +100,11 @@ impl PictureFormat {
         !self.depths().is_empty()
     }
 
+    /// True if files of this format hold linear light, never codes.
+    pub const fn is_of_light(self) -> bool {
+        matches!(self, Self::Exr | Self::Hdr)
+    }
+
     /// True if files of this format can have several layers.
     pub const fn has_layers(self) -> bool {
         matches!(self, Self::Exr)
