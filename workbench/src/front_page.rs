@@ -33,6 +33,7 @@ pub(crate) fn run(arguments: &FrontPageArguments) -> Result<()> {
         write_bytes(&directory.join(file), html.as_bytes())?;
     }
     write_bytes(&directory.join(page::STYLE.0), page::STYLE.1.as_bytes())?;
+    write_bytes(&directory.join("examples.js"), page::examples_script().as_bytes())?;
     fs::copy(root().join("crates/web/page/icon.png"), directory.join("icon.png"))?;
     for example in Example::ALL {
         println!("{}", example.name);

@@ -26,7 +26,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "optics",
         ],
     ),
-    ("web", &["studio", "live", "tracer", "scene", "picture", "platform"]),
+    ("web", &["studio", "live", "lab", "tracer", "exchange", "store", "scene", "picture", "platform"]),
     ("catoptric", &["studio", "lab", "gpu", "tracer", "exchange", "store", "scene", "picture", "platform"]),
 ];
 

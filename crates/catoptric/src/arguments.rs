@@ -252,14 +252,18 @@ ssr:range=5:fallback=cube-map or whitted:generations=2:samples=16.
 A scene and pictures without methods: each picture, by whatever ray tracer, is held against the exact one, and what is
 systematically different is found by trying it. Exit status then: 0 right, 1 different, 2 it cannot be compared.
 
+A class is marked from a folder with a folder or files of each student, or from a table with the columns
+student,scene,picture. Pictures are called as their scenes. Results: a page, CSV, JUnit, Gradescope, Submitty.
+
 Examples:
   catoptric compare whitted --methods whitted,ssr,cube-map,phong
   catoptric compare hall-of-mirrors --methods whitted,whitted:generations=4 -o hall --language ru
   catoptric compare --pictures reference.exr,mine.exr
-  catoptric compare scene.rt --pictures mine.ppm")]
+  catoptric compare scene.rt --pictures mine.ppm
+  catoptric compare --class submissions --scenes scenes --rubric rubric.toml")]
 pub(crate) struct CompareArguments {
-    /// A scene file, or the name of a built-in scene; can be left out when only pictures are compared
-    #[arg(value_name = "SCENE", required_unless_present = "pictures")]
+    /// A scene file, or the name of a built-in scene; can be left out when only pictures are compared, or a class is marked
+    #[arg(value_name = "SCENE", required_unless_present_any = ["pictures", "class"])]
     pub scene: Option<PathBuf>,
     #[command(flatten)]
     pub set: SetArguments,
@@ -269,7 +273,7 @@ pub(crate) struct CompareArguments {
         value_name = "METHODS",
         value_delimiter = ',',
         requires = "scene",
-        required_unless_present = "pictures"
+        required_unless_present_any = ["pictures", "class"]
     )]
     pub methods: Vec<Variant>,
     /// Picture files to compare too, separated by commas, all of one size; may be given again
@@ -278,8 +282,17 @@ pub(crate) struct CompareArguments {
     /// The layer to read of EXR pictures with several
     #[arg(long, value_name = "NAME", requires = "pictures")]
     pub layer: Option<String>,
-    /// The directory for the report, the pictures and the numbers; compared by default, and none for pictures without
-    /// methods
+    /// Mark a class: a folder with the pictures of each student, or a table student,scene,picture (CSV)
+    #[arg(long, value_name = "CLASS", conflicts_with_all = ["methods", "pictures", "pixels"])]
+    pub class: Option<PathBuf>,
+    /// The scenes of a class in a folder: files, folders of them or built-in ones; those in the folder by default
+    #[arg(long, value_name = "SCENES", num_args = 1.., requires = "class", conflicts_with_all = ["scene", "methods", "pictures"])]
+    pub scenes: Vec<PathBuf>,
+    /// What pictures of a class are worth and mistakes cost (TOML)
+    #[arg(long, value_name = "RUBRIC", requires = "class", conflicts_with_all = ["methods", "pictures"])]
+    pub rubric: Option<PathBuf>,
+    /// The directory for the report, the pictures and the numbers; compared by default, marked for a class, and none for
+    /// pictures without methods
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
     /// Width and height in pixels; 640x360 by default, or for pictures without methods what their scene asks for

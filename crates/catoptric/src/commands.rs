@@ -3,11 +3,13 @@
 pub(crate) mod audit;
 pub(crate) mod check;
 mod check_picture;
+mod checking;
 pub(crate) mod compare;
 pub(crate) mod convert;
 pub(crate) mod diff;
 pub(crate) mod examples;
 pub(crate) mod manual;
+mod mark_class;
 pub(crate) mod measure;
 pub(crate) mod render;
 #[cfg_attr(not(feature = "serve"), path = "commands/no_serve.rs")]
@@ -15,7 +17,10 @@ pub(crate) mod serve;
 #[cfg_attr(not(feature = "studio"), path = "commands/no_studio.rs")]
 pub(crate) mod studio;
 
+use catoptric_scene::visible;
 use catoptric_store::LoadError;
+
+use crate::console;
 
 /// How a command ended when nothing went wrong with the program itself. (Interrupted, only those return that are asked
 /// to end.)
@@ -37,5 +42,16 @@ pub(crate) fn in_words(error: &anyhow::Error) -> String {
         // Its own words already hold the cause.
         Some(error) => error.to_string(),
         None => format!("{error:#}"),
+    }
+}
+
+/// Prints an error once, with its causes.
+pub(crate) fn report(error: &anyhow::Error) {
+    match error.downcast_ref::<LoadError>() {
+        Some(LoadError::Diagnostics { path, text, diagnostics }) => {
+            let color = console::color_on(&std::io::stderr());
+            console::say_colored(&diagnostics.render(&path.to_string_lossy(), text, color));
+        }
+        _ => console::say(&format!("error: {}", visible(&in_words(error)))),
     }
 }

@@ -22,8 +22,6 @@ use std::ffi::OsString;
 use std::process::ExitCode;
 
 use anyhow::Result;
-use catoptric_scene::visible;
-use catoptric_store::LoadError;
 use clap::Parser as _;
 
 use arguments::{Arguments, Command};
@@ -50,7 +48,7 @@ fn main() -> ExitCode {
         Ok(CommandOutcome::WrongInput) => ExitCode::from(STATUS_ERROR),
         Ok(CommandOutcome::Interrupted) => ExitCode::from(interrupt::INTERRUPTED),
         Err(error) => {
-            report(&error);
+            commands::report(&error);
             ExitCode::from(STATUS_ERROR)
         }
     }
@@ -95,15 +93,4 @@ fn explain(answer: &clap::Error) -> Result<CommandOutcome> {
         false => console::print(&words.to_string())?,
     }
     Ok(CommandOutcome::Done)
-}
-
-/// Prints an error once, with its causes.
-fn report(error: &anyhow::Error) {
-    match error.downcast_ref::<LoadError>() {
-        Some(LoadError::Diagnostics { path, text, diagnostics }) => {
-            let color = console::color_on(&std::io::stderr());
-            console::say_colored(&diagnostics.render(&path.to_string_lossy(), text, color));
-        }
-        _ => console::say(&format!("error: {}", visible(&commands::in_words(error)))),
-    }
 }

@@ -9,6 +9,7 @@ mod edges;
 mod expected;
 mod facts;
 mod faults;
+mod groups;
 mod light_tree;
 mod mistake;
 mod observed;
@@ -23,12 +24,13 @@ mod terms;
 mod trials;
 mod verdict;
 
-use catoptric_picture::PictureFormat;
+use catoptric_picture::{Development, PictureFormat, ToneCurve};
 use catoptric_scene::Scene;
 use catoptric_tracer::{RenderControl, RenderError, SceneBuildError};
 
 pub use codes::{CodeCurve, CodeStage};
 pub use faults::Fault;
+pub use groups::MistakeGroup;
 pub use mistake::{Mistake, SceneMistake};
 pub use observed::{ObservedPicture, Orientation};
 pub use page::{CheckedPicture, checked_page};
@@ -88,14 +90,28 @@ impl DetectiveSettings {
     /// The least tolerance of the search: rounding to codes is no mistake that could be found.
     const LEAST_SEARCHED: f64 = 1.0 / 255.0;
 
-    /// The usual settings for a picture file of a format: JPEG may be off by
-    /// 8/255, and disturbs blocks of 16 pixels, since colors have half the resolution.
-    pub fn of_format(format: Option<PictureFormat>) -> Self {
-        let usual = Self::default();
+    /// The settings for a picture file of this format, if that is known. Of codes, `curve` says how they belong to light:
+    /// if it is `None`, those of scenes of other programs are in proportion to it (`is_foreign`), and others have the sRGB
+    /// curve. Codes of a JPEG are equal within 8/255, and edges disturb blocks of 16 pixels, since colors have half the
+    /// resolution.
+    pub fn of_file(format: Option<PictureFormat>, curve: Option<ToneCurve>, is_foreign: bool) -> Self {
+        let is_linear = match curve {
+            _ if format.is_some_and(PictureFormat::is_of_light) => true,
+            Some(curve) => curve == ToneCurve::LinearCodes,
+            None => is_foreign,
+        };
+        let curve = if is_linear { CodeCurve::Linear } else { CodeCurve::Srgb };
         match format {
-            Some(PictureFormat::Jpeg) => Self { tolerance: 8.0 / 255.0, block: 16, ..usual },
-            _ => usual,
+            Some(PictureFormat::Jpeg) => Self { curve, tolerance: 8.0 / 255.0, block: 16, ..Self::default() },
+            _ => Self { curve, ..Self::default() },
         }
+    }
+
+    /// How the exact picture is shown beside the codes that are expected.
+    pub fn development(&self) -> Development {
+        let is_linear = self.curve == CodeCurve::Linear;
+        let tone_curve = if is_linear { ToneCurve::LinearCodes } else { ToneCurve::None };
+        Development { tone_curve, ..Development::default() }
     }
 
     fn judge(&self) -> Judge {

@@ -8,6 +8,7 @@ pub mod detective;
 pub mod exact;
 mod machine;
 pub mod maps;
+pub mod marking;
 pub mod measure;
 mod random;
 pub mod reflectance;

@@ -8,7 +8,7 @@ pub(crate) mod page;
 mod plot;
 mod raster;
 mod study;
-mod tables;
+pub(crate) mod tables;
 pub(crate) mod texts;
 
 pub use csv::points_csv;

@@ -113,6 +113,11 @@ impl PictureFormat {
         !self.depths().is_empty()
     }
 
+    /// True if files of this format hold linear light, never codes.
+    pub const fn is_of_light(self) -> bool {
+        matches!(self.depths(), [SampleDepth::Linear])
+    }
+
     /// True if files of this format can have several layers.
     pub const fn has_layers(self) -> bool {
         matches!(self, Self::Exr)

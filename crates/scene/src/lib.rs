@@ -35,9 +35,9 @@ pub use contact::{BodyContact, Contact};
 pub use environment::{Environment, Sky, Surroundings};
 pub use examples::Example;
 pub use format::{
-    AddressCompletion, AddressError, Diagnostic, Diagnostics, LONGEST_TEXT, LoadedScene, Number, ParsedScene,
-    Phrase, Problem, Related, SceneEdit, SceneKey, ScenePath, SceneValue, Sentence, Severity, Warned, decode,
-    json_schema, nearest, read, read_bytes, update, write, write_fragment,
+    AddressCompletion, AddressError, Diagnostic, Diagnostics, Document, LONGEST_TEXT, LoadedScene, Number,
+    ParsedScene, Phrase, Problem, Related, SceneEdit, SceneKey, ScenePath, SceneValue, Sentence, Severity,
+    Warned, decode, json_schema, nearest, read, read_bytes, update, write, write_fragment,
 };
 pub use frame::rotation_degrees;
 pub use image::{Image, ImageError, ImageFault, ImageSource, NoResources, Resources, UnreadableKind};

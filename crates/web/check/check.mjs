@@ -16,6 +16,15 @@ const hasThreads = Boolean(programs.threads);
 const BALL = [0.19, 0.47];
 const BALL_ASIDE = [0.27, 0.47];
 
+// A scene of miniRT with a shadow.
+const BALLS = `R 64 48
+A 0.2 255,255,255
+C 0,0,6 0,0,-1 50
+L 2,6,6 0.7 255,255,255
+sp -0.6,-0.4,0 3 255,102,51
+sp 0.6,1.6,2 0.8 51,102,255
+`;
+
 async function moveBall(laboratory) {
   const before = (await laboratory.settled()).scene;
   await laboratory.drag(await laboratory.place(...BALL), await laboratory.place(...BALL_ASIDE));
@@ -427,6 +436,50 @@ const CHECKS = {
     assert(state.viewport[2] >= 1270 && state.viewport[3] >= 790, `the picture has ${state.viewport}`);
     const href = await laboratory.page.getAttribute("#opener", "href");
     assert(href === "studio.html#example=whitted", href);
+  },
+
+  async "a picture is checked on a page of its own"(browser) {
+    const file = (name) => path.join(folder, "checked", name);
+    await fs.mkdir(file(""), { recursive: true });
+    await fs.writeFile(file("balls.rt"), BALLS);
+    await run("render", file("balls.rt"), "-o", file("right.png"), "--quiet");
+    await run("render", file("balls.rt"), "-o", file("wide.png"), "--dialect", "vertical-fov", "--quiet");
+    for (const [language, right, mistake] of [["en", "Right", "the field of view"], ["ru", "Верно", "угол обзора"]]) {
+      const context = await browser.newContext({ viewport: { width: 1100, height: 900 } });
+      const page = await context.newPage();
+      page.on("request", (request) => assert(request.method() === "GET", `${request.method()} ${request.url()}`));
+      await page.goto(new URL(`check.html?lang=${language}`, isolated).href);
+      const verdict = async () => {
+        await page.waitForSelector("#result:not([hidden]), #status.fault", { timeout: PATIENCE });
+        return (await page.locator("#result:not([hidden]), #status.fault").first().innerText()).trim();
+      };
+      // As from the keyboard: the button is behind the choice of the curve.
+      await page.setInputFiles("#scene-file", file("balls.rt"));
+      await page.setInputFiles("#picture-file", file("right.png"));
+      await page.focus("#curve");
+      await page.keyboard.press("Tab");
+      await page.keyboard.press("Enter");
+      assert((await verdict()).startsWith(right), await verdict());
+      assert((await page.locator("#pictures figure").count()) === 2, "other pictures than two");
+      // Dropped on the page, a picture goes where it belongs.
+      const bytes = (await fs.readFile(file("wide.png"))).toString("base64");
+      await page.evaluate((bytes) => {
+        const dataTransfer = new DataTransfer();
+        const array = Uint8Array.from(atob(bytes), (letter) => letter.charCodeAt(0));
+        dataTransfer.items.add(new File([array], "wide.png", { type: "image/png" }));
+        document.body.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
+      }, bytes);
+      await page.click("#start");
+      const told = (await verdict()).toLowerCase();
+      assert(told.includes(mistake), told);
+      assert((await page.locator("#pictures .detail").count()) === 2, "no neighborhood of the worst pixel");
+      await page.screenshot({ path: path.join(folder, `check-${language}.png`), fullPage: true });
+      // What is no picture is said, and the page goes on.
+      await page.setInputFiles("#picture-file", file("balls.rt"));
+      await page.click("#start");
+      assert((await verdict()).includes("balls.rt"), await verdict());
+      await context.close();
+    }
   },
 
   async "fingers tap, turn, zoom and press long"(browser) {

@@ -1,10 +1,10 @@
 // The page around the studio: it forwards what happens, keeps files, and starts the studio anew when it fails.
 
-import { programs } from "./build.js";
 import { answerFileRequest, give } from "./dialogs.js";
 import { copyImage, copyText, pasteText } from "./clipboard.js";
 import { addressOf, viewIn } from "./link.js";
 import { listen } from "./input.js";
+import { Threads, bytes, others, processors, program } from "./program.js";
 import { Store } from "./store.js";
 import { language, say } from "./words.js";
 
@@ -24,18 +24,6 @@ const again = document.getElementById("again");
 const typing = document.getElementById("typing");
 
 const store = new Store();
-
-// The smallest program with a vector instruction that leaves the rounding to the processor, `i32x4.relaxed_trunc_f32x4_s`:
-// where it is valid, the quicker vectors are there.
-const RELAXED = [0, 97, 115, 109, 1, 0, 0, 0, 1, 6, 1, 96, 1, 123, 1, 123, 3, 2, 1, 0, 10, 9, 1, 7, 0, 32, 0, 253, 129, 2, 11];
-
-// The programs that this page can run, the quickest first: with several threads where it may share memory. Another one can be
-// asked for, to compare them.
-const canShare = self.crossOriginIsolated === true;
-const needs = { relaxed: canShare && WebAssembly.validate(new Uint8Array(RELAXED)), threads: canShare, single: true };
-const possible = Object.keys(needs).filter((name) => needs[name] && programs[name]);
-const wanted = new URLSearchParams(location.search).get("program");
-const program = possible.includes(wanted) ? wanted : possible[0];
 
 // The questions of scripts that the studio has not answered yet, by number.
 const questions = new Map();
@@ -91,16 +79,15 @@ function start(options) {
   canvas.tabIndex = 0;
   stage.replaceChildren(canvas);
   const worker = new Worker("worker.js", { type: "module", name: "studio" });
-  const studio = { worker, canvas, threads: new Set(), idle: [], shared: null, startedAt: performance.now(), heardAt: performance.now(), isShown: false };
+  const studio = { worker, canvas, startedAt: performance.now(), heardAt: performance.now(), isShown: false };
+  studio.threads = new Threads((message) => hear(studio, message), (reason) => lose(studio, reason));
   current = studio;
-  worker.onmessage = ({ data }) => hear(studio, data, worker);
+  worker.onmessage = ({ data }) => hear(studio, data);
   worker.onerror = (event) => lose(studio, event.message);
   const drawing = canvas.transferControlToOffscreen();
   const tell = (event) => worker.postMessage({ type: "event", event });
   const sizes = listen(canvas, typing, tell, (files) => take(studio, files));
   studio.stopListening = sizes.stop;
-  const processors = program !== "single" ? Math.max(navigator.hardwareConcurrency || 2, 2) : 0;
-  const { bytes } = programs[program];
   const parts = { files: store.files(), options, size: sizes.first, processors, folder: program, bytes };
   const message = { type: "start", canvas: drawing, ...parts };
   worker.postMessage(message, [drawing]);
@@ -109,9 +96,8 @@ function start(options) {
 
 function stop(studio) {
   studio.stopListening();
-  for (const worker of [studio.worker, ...studio.threads]) {
-    worker.terminate();
-  }
+  studio.worker.terminate();
+  studio.threads.stop();
   for (const { resolve } of questions.values()) {
     resolve(null);
   }
@@ -151,7 +137,7 @@ async function take(studio, files) {
   return paths;
 }
 
-function hear(studio, message, worker) {
+function hear(studio, message) {
   if (studio !== current) {
     return;
   }
@@ -164,14 +150,10 @@ function hear(studio, message, worker) {
       show(say("starting"), store.isLasting ? "" : say("noStore"), 0);
       break;
     case "shared":
-      studio.shared = { folder: message.folder, module: message.module, memory: message.memory };
+      studio.threads.share(message);
       break;
     case "thread":
-      startThread(studio, message);
-      break;
-    case "ended":
-      // It waits for more: to start a worker takes longer than most work.
-      studio.idle.push(worker);
+      studio.threads.start(message);
       break;
     case "wake":
       studio.worker.postMessage({ type: "wake" });
@@ -215,19 +197,6 @@ function hear(studio, message, worker) {
       lose(studio, message.message);
       break;
   }
-}
-
-function startThread(studio, { name, work }) {
-  const thread = studio.idle.pop() ?? newThread(studio, name);
-  thread.postMessage({ ...studio.shared, work });
-}
-
-function newThread(studio, name) {
-  const thread = new Worker("thread.js", { type: "module", name });
-  studio.threads.add(thread);
-  thread.onmessage = ({ data }) => hear(studio, data, thread);
-  thread.onerror = (event) => lose(studio, event.message);
-  return thread;
 }
 
 async function obey(studio, command, tell) {
@@ -392,8 +361,7 @@ async function keepForLater() {
 }
 
 function keepAll() {
-  const without = Object.keys(programs).filter((name) => name !== program);
-  navigator.serviceWorker?.controller?.postMessage({ type: "keep", without });
+  navigator.serviceWorker?.controller?.postMessage({ type: "keep", without: others });
 }
 
 // Offers a newer laboratory, which waits until no page has the old one.

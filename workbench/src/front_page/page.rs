@@ -35,6 +35,7 @@ pub(super) fn page(language: Language) -> (&'static str, String) {
         open = html(words.open),
         look = html(words.look),
         note = html(words.note),
+        check = html(words.check),
         first_name = FIRST_SCENE,
         first_title = html(first_title),
         first_alt = html(beginning(&first_notice)),
@@ -71,6 +72,15 @@ fn title(example: &Example, language: Language) -> &'static str {
         Language::English => example.title(),
         Language::Russian => example.russian_title(),
     }
+}
+
+/// The built-in scenes by their names, with their titles, for scripts of other pages.
+pub(super) fn examples_script() -> String {
+    let titles = Example::ALL.iter().map(|example| {
+        let titles = serde_json::json!({ "en": example.title(), "ru": example.russian_title() });
+        (example.name.to_owned(), titles)
+    });
+    format!("export const examples = {};\n", serde_json::Value::Object(titles.collect()))
 }
 
 /// The first sentence of a text, and the second if both are short.
@@ -144,6 +154,7 @@ mod tests {
                 known.insert(format!("pictures/{}.jpg", example.name));
             }
             known.insert(studio);
+            known.insert(format!("check.html?lang={}", PageWords::of(language).code));
             let links: BTreeSet<String> =
                 ["href", "src"].iter().flat_map(|name| values(&text, name)).map(str::to_owned).collect();
             assert_eq!(links, known, "{file}");

@@ -16,6 +16,8 @@ pub(super) struct PageWords {
     pub open: &'static str,
     pub look: &'static str,
     pub note: &'static str,
+    /// The link to the page that checks a picture.
+    pub check: &'static str,
     /// Head and sentence of what the laboratory is good for.
     pub points: [[&'static str; 2]; 3],
     pub scenes: &'static str,
@@ -46,6 +48,7 @@ const ENGLISH: PageWords = PageWords {
     open: "Open the laboratory",
     look: "Look at the scenes",
     note: "It runs in this browser: nothing is installed, and nothing leaves your machine.",
+    check: "Check a picture by your own ray tracer",
     points: [
         [
             "Exact",
@@ -71,6 +74,7 @@ const RUSSIAN: PageWords = PageWords {
     open: "Открыть лабораторию",
     look: "Посмотреть сцены",
     note: "Она работает в этом браузере: ничего не нужно устанавливать, и ничего не покидает ваш компьютер.",
+    check: "Проверить изображение своего трассировщика",
     points: [
         [
             "Точно",

@@ -1,75 +1,62 @@
 //! `catoptric compare` with a scene and pictures of other ray tracers: what is systematically different in them.
 
-use std::ffi::OsStr;
-use std::fs::File;
-use std::io::Read as _;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use anyhow::{Context as _, Result};
 use catoptric_lab::audit::{AuditSettings, audit};
-use catoptric_lab::detective::{
-    CheckedPicture, CodeCurve, Detective, DetectiveSettings, ObservedPicture, Verdict, checked_page,
-};
+use catoptric_lab::detective::{CheckedPicture, Detective, DetectiveSettings, Verdict, checked_page};
 use catoptric_lab::report::Language;
-use catoptric_picture::{Development, Picture, PictureFormat, SampleDepth, ToneCurve};
 use catoptric_scene::{Scene, visible};
-use catoptric_tracer::{RenderControl, RenderScene, RenderSettings, render};
+use catoptric_tracer::{RenderControl, RenderScene, render};
 use serde_json::{Value, json};
 
 use super::CommandOutcome;
+use super::checking::{CheckKey, ExactScene, PictureFile, exact_settings};
 use super::compare::{METRICS, REPORT, picture_files};
-use crate::arguments::{CompareArguments, Size};
+use crate::arguments::CompareArguments;
 use crate::backend::threads;
 use crate::console::{json_text, print};
 use crate::files::CommandFiles;
-use crate::input::{self, NamedScene, SceneSource};
 use crate::layers::LayerReader;
 use crate::progress::Progress;
 
 /// The worst pixels that a report audits, if no more are asked for.
 const AUDITS: usize = 3;
 
-/// A picture file.
-struct PictureFile {
-    path: PathBuf,
-    picture: Picture,
-    /// The format that its first bytes tell, of a plain file.
-    format: Option<PictureFormat>,
-}
-
-impl PictureFile {
-    /// Whether its numbers are light, not codes.
-    fn is_light(&self) -> bool {
-        self.format.is_some_and(|format| format.depths() == [SampleDepth::Linear])
-    }
-}
-
 pub(super) fn run(scene: &Path, arguments: &CompareArguments) -> Result<CommandOutcome> {
     let mut files = CommandFiles::default();
     let pictures = read_pictures(arguments, &mut files)?;
-    let input = input::scene(scene, &arguments.set, arguments.size, &mut files)?;
+    let exact = ExactScene::read(scene, arguments, &mut files)?;
     if let Some(output) = &arguments.output {
         files.add_directory(output, [REPORT, METRICS].map(str::to_owned))?;
     }
     if !arguments.quiet {
-        input.warn();
+        exact.warn();
     }
     let pool = threads(arguments.threads.map_or(0, usize::from))?;
     let mut values = Vec::new();
     let mut checked = Vec::new();
     let mut are_right = true;
-    for file in &pictures {
-        let again = scene_for(&input, scene, file, arguments, &mut files)?;
-        let own = again.as_ref().map_or(&input.loaded.scene, |again| &again.loaded.scene);
-        let settings = settings(file, &input, arguments);
-        let verdict = pool.install(|| check(own, file, settings, arguments.quiet))?;
-        are_right &= verdict.is_right(arguments.allow);
-        values.push(named(file, verdict.to_json(own, arguments.allow)));
-        if !arguments.json {
-            print(&text(file, &verdict, own, arguments)?)?;
-        }
-        if arguments.output.is_some() {
-            checked.push(pool.install(|| with_audits(own, file, verdict, settings.curve, arguments))?);
+    let pictures: Vec<(CheckKey, PictureFile)> =
+        pictures.into_iter().map(|file| Ok((exact.key(file.head)?, file))).collect::<Result<_>>()?;
+    // A scene is prepared once for pictures that follow each other and need the same.
+    for group in pictures.chunk_by(|(one, _), (other, _)| one == other) {
+        let Some((key, first)) = group.first() else { continue };
+        let own = exact.scene(key, &mut files)?;
+        let name = |file: &PictureFile| file.path.display().to_string();
+        let detective = pool.install(|| Detective::new(&own, key.settings)).with_context(|| name(first))?;
+        for (_, file) in group {
+            let verdict =
+                pool.install(|| check(&detective, file, arguments.quiet)).with_context(|| name(file))?;
+            are_right &= verdict.is_right(arguments.allow);
+            values.push(named(file, verdict.to_json(&own, arguments.allow)));
+            if !arguments.json {
+                print(&text(file, &verdict, &own, arguments)?)?;
+            }
+            if arguments.output.is_some() {
+                let audited = || with_audits(&own, file, verdict, &key.settings, arguments);
+                checked.push(pool.install(audited)?);
+            }
         }
     }
     let found = json_text(&json!({ "right": are_right, "pictures": values }));
@@ -77,10 +64,7 @@ pub(super) fn run(scene: &Path, arguments: &CompareArguments) -> Result<CommandO
         print(&found)?;
     }
     if let Some(output) = &arguments.output {
-        // Where the scene lies is no matter to who reads the page.
-        let name =
-            Path::new(&input.name).file_name().map_or(input.name.as_str().into(), OsStr::to_string_lossy);
-        let html = checked_page(&name, &checked, arguments.allow, arguments.language)?;
+        let html = checked_page(&exact.name(), &checked, arguments.allow, arguments.language)?;
         files.write(&output.join(REPORT), html.as_bytes())?;
         files.write(&output.join(METRICS), found.as_bytes())?;
         if !arguments.quiet && !arguments.json {
@@ -95,75 +79,16 @@ fn read_pictures(arguments: &CompareArguments, files: &mut CommandFiles) -> Resu
     let mut pictures = Vec::new();
     for path in picture_files(arguments) {
         files.add_input(&path)?;
-        let picture = layers.read(&path)?;
-        let format = format_of(&path);
-        pictures.push(PictureFile { path, picture, format });
+        pictures.push(PictureFile::read(path, &mut layers)?);
     }
     layers.finish()?;
     Ok(pictures)
 }
 
-fn format_of(path: &Path) -> Option<PictureFormat> {
-    let mut start = [0; 32];
-    let count = if path.is_file() { File::open(path).ok()?.read(&mut start).ok()? } else { 0 };
-    PictureFormat::of_content(start.get(..count)?)
-}
-
-/// The size that the picture should have.
-fn expected_size(input: &NamedScene, arguments: &CompareArguments) -> Option<[u32; 2]> {
-    arguments.size.map(Into::into).or(input.foreign?.size)
-}
-
-/// The scene read anew for the size of the picture, to which a horizontal angle of view belongs; `None` if it is the
-/// one that is expected.
-fn scene_for(
-    input: &NamedScene,
-    path: &Path,
-    file: &PictureFile,
-    arguments: &CompareArguments,
-    files: &mut CommandFiles,
-) -> Result<Option<NamedScene>> {
-    let own = [file.picture.width(), file.picture.height()];
-    let expected = expected_size(input, arguments);
-    // A picture that was transposed has the sides exchanged.
-    let is_expected = expected == Some(own) || expected == Some([own[1], own[0]]);
-    if input.foreign.is_none() || is_expected || matches!(input::source(path)?, SceneSource::Example(_)) {
-        return Ok(None);
-    }
-    let size = Size { width: own[0], height: own[1] };
-    input::scene(path, &arguments.set, Some(size), files).map(Some)
-}
-
-fn settings(file: &PictureFile, input: &NamedScene, arguments: &CompareArguments) -> DetectiveSettings {
-    let curve = match arguments.development.tone_curve {
-        _ if file.is_light() => CodeCurve::Linear,
-        Some(ToneCurve::LinearCodes) => CodeCurve::Linear,
-        Some(_) => CodeCurve::Srgb,
-        None if input.foreign.is_some() => CodeCurve::Linear,
-        None => CodeCurve::Srgb,
-    };
-    let usual = DetectiveSettings::of_format(file.format);
-    DetectiveSettings {
-        curve,
-        expected_size: expected_size(input, arguments),
-        tolerance: arguments.tolerance.unwrap_or(usual.tolerance),
-        ..usual
-    }
-}
-
-fn check(scene: &Scene, file: &PictureFile, settings: DetectiveSettings, quiet: bool) -> Result<Verdict> {
-    let observed = if file.is_light() {
-        ObservedPicture::of_light(&file.picture)
-    } else {
-        ObservedPicture::of_codes(&file.picture)
-    };
-    let name = || file.path.display().to_string();
-    Progress::new(quiet)
-        .of_writing(&name(), || {
-            let detective = Detective::new(scene, settings)?;
-            detective.check(&observed, &RenderControl::default())
-        })
-        .with_context(name)
+fn check(detective: &Detective<'_>, file: &PictureFile, quiet: bool) -> Result<Verdict> {
+    let name = file.path.display().to_string();
+    Ok(Progress::new(quiet)
+        .of_writing(&name, || detective.check(&file.observed(), &RenderControl::default()))?)
 }
 
 fn named(file: &PictureFile, verdict: Value) -> Value {
@@ -219,18 +144,12 @@ fn audits(scene: &Scene, render_scene: &RenderScene, verdict: &Verdict, most: us
         .collect()
 }
 
-/// How the exact picture is traced.
-fn exact_settings(verdict: &Verdict) -> RenderSettings {
-    let [width, height] = verdict.scene_size;
-    RenderSettings { width, height, samples: 1 }
-}
-
 /// A picture and its verdict with all that the report shows.
 fn with_audits(
     scene: &Scene,
     file: &PictureFile,
     verdict: Verdict,
-    curve: CodeCurve,
+    settings: &DetectiveSettings,
     arguments: &CompareArguments,
 ) -> Result<CheckedPicture> {
     let render_scene = RenderScene::build(scene)?;
@@ -239,14 +158,10 @@ fn with_audits(
         false => audits(scene, &render_scene, &verdict, arguments.pixels.max(AUDITS))?,
     };
     let exact = render(&render_scene, exact_settings(&verdict), &RenderControl::default())?.picture;
-    let tone_curve = if curve == CodeCurve::Linear { ToneCurve::LinearCodes } else { ToneCurve::None };
-    let shown = Development { tone_curve, ..Development::default() };
-    // Of codes, reading has made light by the sRGB curve.
-    let own = if file.is_light() { shown } else { Development::default() };
     Ok(CheckedPicture {
         name: file.path.display().to_string(),
-        picture: (file.picture.clone(), own),
-        exact: (exact, shown),
+        picture: (file.picture.clone(), file.development(settings)),
+        exact: (exact, settings.development()),
         scene: scene.clone(),
         verdict,
         audits,

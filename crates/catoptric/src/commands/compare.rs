@@ -11,7 +11,7 @@ use catoptric_scene::visible;
 use catoptric_tracer::{RenderControl, RenderSettings};
 use serde_json::{Value, json};
 
-use super::{CommandOutcome, check_picture};
+use super::{CommandOutcome, check_picture, mark_class};
 use crate::arguments::{CompareArguments, Size};
 use crate::backend::threads;
 use crate::console::{json_text, print};
@@ -29,6 +29,9 @@ const SIZE: Size = Size { width: 640, height: 360 };
 const OUTPUT: &str = "compared";
 
 pub(crate) fn run(arguments: &CompareArguments) -> Result<CommandOutcome> {
+    if let Some(class) = &arguments.class {
+        return mark_class::run(class, arguments);
+    }
     if let (Some(scene), []) = (&arguments.scene, arguments.methods.as_slice()) {
         return check_picture::run(scene, arguments);
     }

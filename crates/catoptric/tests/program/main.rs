@@ -20,8 +20,12 @@ mod diff;
 mod examples;
 mod foreign;
 mod formats;
+#[allow(dead_code, unreachable_pub, reason = "the tests of the laboratory use all of it")]
+#[path = "../../../lab/tests/independent/mod.rs"]
+mod independent;
 #[cfg(unix)]
 mod interrupt;
+mod marking;
 mod measure;
 #[cfg(target_os = "linux")]
 mod memory;

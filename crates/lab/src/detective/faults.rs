@@ -71,7 +71,7 @@ impl Fault {
     /// The most generations of [`Self::Generations`].
     const MOST_GENERATIONS: u8 = 8;
 
-    const PLAIN: [Self; 27] = [
+    pub(super) const PLAIN: [Self; 27] = [
         Self::NoShadows,
         Self::NoHighlight,
         Self::NoReflection,

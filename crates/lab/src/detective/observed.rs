@@ -1,6 +1,6 @@
 //! The picture that is checked, and the ways in which its pixels may be out of place.
 
-use catoptric_picture::{Picture, srgb};
+use catoptric_picture::{Picture, PictureFormat, srgb};
 
 /// A picture of another program, by its codes.
 #[derive(Clone, Debug)]
@@ -21,6 +21,14 @@ impl ObservedPicture {
     /// The light of a picture as it is, clamped to 0…1: what a file of light holds.
     pub fn of_light(picture: &Picture) -> Self {
         Self::of(picture, |light| light)
+    }
+
+    /// A picture that was read from a file of this format, if that is known: its light, or else its codes.
+    pub fn of_file(picture: &Picture, format: Option<PictureFormat>) -> Self {
+        match format.is_some_and(PictureFormat::is_of_light) {
+            true => Self::of_light(picture),
+            false => Self::of_codes(picture),
+        }
     }
 
     fn of(picture: &Picture, value: impl Fn(f32) -> f32) -> Self {
@@ -120,7 +128,7 @@ impl Orientation {
     }
 
     /// Where a pixel of the upright picture is stored, the stored picture having this size.
-    pub(super) fn stored(self, [x, y]: [u32; 2], [width, height]: [u32; 2]) -> [u32; 2] {
+    pub(crate) fn stored(self, [x, y]: [u32; 2], [width, height]: [u32; 2]) -> [u32; 2] {
         let (right, below) = (width.saturating_sub(1), height.saturating_sub(1));
         match self {
             Self::Upright => [x, y],

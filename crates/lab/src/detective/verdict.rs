@@ -253,7 +253,7 @@ fn place_in_words(cluster: &Cluster, scene: &Scene, language: Language) -> Strin
 }
 
 /// A mistake in words.
-fn in_words(mistake: &Mistake, language: Language) -> String {
+pub(super) fn in_words(mistake: &Mistake, language: Language) -> String {
     let words = match mistake {
         Mistake::Size { expected, found } => {
             let [expected, found] = [expected, found].map(|[width, height]| format!("{width}×{height}"));

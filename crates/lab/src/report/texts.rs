@@ -57,6 +57,31 @@ texts! {
     checked_expected: "Codes expected", "Ожидаемые коды";
     checked_audit: "The exact answer at place {number}", "Точный ответ в месте {number}";
 
+    // The page of a class.
+    marking_title: "Marks of the class", "Оценки группы";
+    marking_lead: "Each picture is held against the exact one of its scene; its mistakes were found by trying them, and cost \
+        what the rubric says. The circle is the pixel that differs most from the exact picture; its neighborhood stands beside.",
+        "Каждое изображение сравнивается с точным изображением своей сцены; ошибки найдены пробами и стоят столько, \
+        сколько сказано в правилах оценки. Кружок — пиксель, который сильнее всего отличается от точного изображения; \
+        рядом его окрестность.";
+    marking_student: "Student", "Студент";
+    marking_total: "Total", "Всего";
+    marking_of: "of {of}", "из {of}";
+    marking_totals_caption: "Points by student and scene; a head sorts the table", "Баллы по студентам и сценам; \
+        заголовок сортирует таблицу";
+    marking_frequencies_caption: "What was wrong, and how often", "Что было неверно и как часто";
+    marking_mistake: "Mistake", "Ошибка";
+    marking_pictures: "Pictures", "Изображений";
+    marking_students: "Students", "Студентов";
+    marking_mean: "Mean", "Среднее";
+    marking_missing: "There is no picture.", "Изображения нет.";
+    marking_unreadable: "The file cannot be read:", "Файл не читается:";
+    marking_unmarked: "The scene cannot be used, so the picture does not count:", "Сцену нельзя использовать, изображение не \
+        учитывается:";
+    marking_unexplained: "pixels that differ for no known reason", "пиксели, отличие которых не объяснено";
+    marking_again: "again", "повторно";
+    marking_left_over: "Pictures of no scene, or beside another of the same one", "Изображения без сцены или лишние";
+
     // The page of a comparison.
     compare_title: "Ways of drawing, held against {truth}", "Способы построения в сравнении с {truth}";
     compare_lead: "Every picture is drawn with the same camera and held, pixel by pixel, against the first one, “{truth}”, \
@@ -381,6 +406,31 @@ impl Language {
             GrowthLaw::Bounded => self.choose("bounded", "ограниченный"),
             GrowthLaw::Geometric => self.choose("geometric", "геометрическая прогрессия"),
             GrowthLaw::Amdahl => self.choose("Amdahl's law", "закон Амдала"),
+        }
+    }
+}
+
+impl Language {
+    /// Points of so many.
+    pub(crate) fn marking_points(self, points: f64, worth: f64) -> String {
+        let [points, worth] = [points, worth].map(|points| self.decimal(points));
+        match self {
+            Self::English => format!("{points} of {worth} points"),
+            Self::Russian => format!("{points} из {worth} баллов"),
+        }
+    }
+
+    /// Points that are lost.
+    pub(crate) fn marking_cost(self, points: f64) -> String {
+        self.decimal(-points)
+    }
+
+    /// The pixel that differs most.
+    pub(crate) fn marking_worst(self, [x, y]: [u32; 2], found: [u8; 3], exact: [u8; 3]) -> String {
+        let [found, exact] = [found, exact].map(|codes| codes.map(|code| code.to_string()).join(", "));
+        match self {
+            Self::English => format!("Worst pixel {x}, {y}: {found}; exact {exact}"),
+            Self::Russian => format!("Худший пиксель {x}, {y}: {found}; точный {exact}"),
         }
     }
 }

@@ -4,6 +4,8 @@ use std::fs;
 use std::io::Write as _;
 
 use catoptric_lab::audit::{AuditSettings, audit};
+use catoptric_lab::detective::MistakeGroup;
+use catoptric_lab::marking::Rubric;
 use catoptric_scene::Example;
 use catoptric_tracer::{RenderControl, RenderScene};
 use glam::UVec2;
@@ -51,5 +53,29 @@ fn the_pixel_explained_is_the_pixel() {
             }
         }
         assert!(numbers > 20, "{path}: only {numbers} numbers are explained");
+    }
+}
+
+#[test]
+fn the_rubric_of_the_documents_is_one() {
+    for language in ["en", "ru"] {
+        let path = format!("{}/../../docs/{language}/check-your-tracer.md", env!("CARGO_MANIFEST_DIR"));
+        let text = fs::read_to_string(&path).unwrap();
+        let rubric = text.split("```toml\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
+        let rubric = Rubric::read(rubric, &["12-glass"]).unwrap_or_else(|found| panic!("{path}: {found}"));
+        assert_eq!((rubric.worth("12-glass"), rubric.worth("01-sphere"), rubric.repeated), (20.0, 10.0, 0.5));
+        for group in MistakeGroup::ALL {
+            let part = match (Rubric::usual_part(group), language) {
+                (0.1, "en") => "a tenth",
+                (0.2, "en") => "a fifth",
+                (0.3, "en") => "three tenths",
+                (0.1, _) => "десятую часть",
+                (0.2, _) => "пятую часть",
+                (0.3, _) => "три десятых",
+                (part, _) => panic!("{part}"),
+            };
+            let row = text.lines().find(|line| line.starts_with(&format!("| `{}`", group.key())));
+            assert!(row.is_some_and(|row| row.contains(part)), "{path}: {}: {part}", group.key());
+        }
     }
 }

@@ -123,7 +123,7 @@ pub fn decode(bytes: Vec<u8>) -> Result<String, (Diagnostics, String)> {
 }
 
 /// A header of a list where a table belongs.
-fn not_a_list(path: &[Key<'_>], span: Span) -> Diagnostic {
+pub(crate) fn not_a_list(path: &[Key<'_>], span: Span) -> Diagnostic {
     let keys = || path.iter().map(|key| key.text.as_ref());
     let name: Vec<&str> = keys().collect();
     let message = Message::NotAList { name: quoted(&name.join(".")) };

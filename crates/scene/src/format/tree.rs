@@ -397,8 +397,10 @@ pub(crate) fn unknown_key(key: &Key<'_>, spec: &'static TableSpec) -> Diagnostic
     if let Some(name) = nearest(&key.text, spec.keys.iter().map(|key| key.name)) {
         return diagnostic.with_label(Message::DidYouMean { word: format!("`{name}`") });
     }
+    // Not in a text that is no scene.
+    let tables = if TABLES.contains(&spec) { TABLES.as_slice() } else { &[] };
     let elsewhere = |other: &&&TableSpec| other.name != spec.name && other.find(&key.text).is_some();
-    match TABLES.iter().find(elsewhere) {
+    match tables.iter().find(elsewhere) {
         Some(other) if other.name == ROOT.name => diagnostic
             .with_label(Message::UnknownKey)
             .with_help(Message::BelongsToFile { key: quoted(&key.text) }),

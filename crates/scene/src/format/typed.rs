@@ -208,7 +208,7 @@ impl<'b, 't> Fields<'_, 'b, 't> {
     }
 
     /// Reports the value of a key when it is wrong. Tables are checked where they are built.
-    fn check_value(&mut self, key: &KeySpec) {
+    pub(crate) fn check_value(&mut self, key: &KeySpec) {
         match key.kind {
             Kind::Text => _ = self.text(key.name),
             Kind::File => _ = self.path(key.name),

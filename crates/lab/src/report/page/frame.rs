@@ -91,10 +91,15 @@ for (const split of document.querySelectorAll('.split')) {
 
 /// The beginning of the page, up to its first heading.
 pub(crate) fn head(language: Language, title: &str) -> String {
+    head_with(language, title, "")
+}
+
+/// [`head`] with a style of the page's own.
+pub(crate) fn head_with(language: Language, title: &str, style: &str) -> String {
     format!(
         "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"{code}\">\n<head>\n<meta \
          charset=\"utf-8\"/>\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{title}\
-         </title>\n<style>{STYLE}</style>\n</head>\n<body>\n",
+         </title>\n<style>{STYLE}{style}</style>\n</head>\n<body>\n",
         code = language.code(),
         title = escape(title)
     )
@@ -102,5 +107,10 @@ pub(crate) fn head(language: Language, title: &str) -> String {
 
 /// The end of the page, with the script, which stands in a section that XML passes over and HTML takes as a comment.
 pub(crate) fn end() -> String {
-    format!("<script>//<![CDATA[\n{SCRIPT}//]]></script>\n</body>\n</html>\n")
+    end_with("")
+}
+
+/// [`end`] with a script of the page's own.
+pub(crate) fn end_with(script: &str) -> String {
+    format!("<script>//<![CDATA[\n{SCRIPT}{script}//]]></script>\n</body>\n</html>\n")
 }

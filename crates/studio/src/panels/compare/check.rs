@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use catoptric_lab::detective::{CodeCurve, Detective, DetectiveSettings, ObservedPicture, Verdict};
-use catoptric_picture::{Development, Picture, PictureFormat, SampleDepth, ToneCurve};
+use catoptric_lab::detective::{Detective, DetectiveSettings, ObservedPicture, Verdict};
+use catoptric_picture::{Development, Picture, PictureFormat};
 use catoptric_scene::Scene;
 use catoptric_tracer::RenderControl;
 use catoptric_tracer::raster::Method;
@@ -68,12 +68,10 @@ fn check(
     };
     let scene = Scene { camera: view.camera, ..Scene::clone(&found.scene) };
     let format = found.key.sources.iter().find_map(format_of);
-    let is_light = format.is_some_and(|format| format.depths() == [SampleDepth::Linear]);
+    let is_light = format.is_some_and(PictureFormat::is_of_light);
     let observed =
         if is_light { ObservedPicture::of_light(picture) } else { ObservedPicture::of_codes(picture) };
-    let has_linear_codes = is_light || development.tone_curve == ToneCurve::LinearCodes;
-    let curve = if has_linear_codes { CodeCurve::Linear } else { CodeCurve::Srgb };
-    let settings = DetectiveSettings { curve, ..DetectiveSettings::of_format(format) };
+    let settings = DetectiveSettings::of_file(format, Some(development.tone_curve), false);
     let checked = Detective::new(&scene, settings).and_then(|detective| detective.check(&observed, control));
     match checked {
         Ok(verdict) => Ok(CheckedScene { verdict, scene }),
