@@ -7,14 +7,20 @@
 mod codes;
 mod facts;
 mod faults;
+mod focus;
+mod light_law;
 mod light_tree;
 mod mistake;
 mod observed;
 mod page;
 mod places;
+mod ray_fault;
 mod remainder;
+mod scene_mistake;
+mod scene_words;
 mod score;
 mod search;
+mod trial_tracer;
 mod trials;
 mod verdict;
 
@@ -22,17 +28,18 @@ use catoptric_scene::Scene;
 use catoptric_tracer::{RenderControl, SceneBuildError};
 
 pub use codes::{CodeCurve, CodeStage};
-pub use faults::Fault;
-pub use mistake::{Mistake, SceneMistake};
+pub use faults::{ExponentFactor, Fault};
+pub use mistake::Mistake;
 pub use observed::{ObservedPicture, Orientation};
 pub use page::{CheckedPicture, checked_page};
 pub use places::{Offset, OffsetKind, Window};
+pub use ray_fault::{LeavingRule, NormalLength, RayFault, ShadowBias};
 pub use remainder::{Cluster, DifferenceKind, WorstPixel};
+pub use scene_mistake::{BodyKind, OtherOrigin, SceneMistake, SizeKind, TurnOrder};
 pub use verdict::Verdict;
 
-use facts::SceneFacts;
 use score::Judge;
-use search::Search;
+use search::{Hypotheses, Search};
 use trials::Trials;
 
 /// How pictures are checked.
@@ -89,7 +96,7 @@ pub enum DetectiveError {
 #[derive(Debug)]
 pub struct Detective<'a> {
     trials: Trials<'a>,
-    faults: Vec<Fault>,
+    hypotheses: Hypotheses,
     settings: DetectiveSettings,
 }
 
@@ -99,8 +106,8 @@ impl<'a> Detective<'a> {
     /// # Errors
     /// When the scene cannot be prepared.
     pub fn new(scene: &'a Scene, settings: DetectiveSettings) -> Result<Self, DetectiveError> {
-        let faults = Fault::possible(scene, &SceneFacts::of(scene));
-        Ok(Self { trials: Trials::new(scene, settings.expected_size)?, faults, settings })
+        let trials = Trials::new(scene, settings.expected_size)?;
+        Ok(Self { hypotheses: Hypotheses::of(&trials), trials, settings })
     }
 
     /// Finds what is systematically different in a picture of the scene, on the threads of the current rayon pool.
@@ -115,7 +122,7 @@ impl<'a> Detective<'a> {
         if picture.size().contains(&0) {
             return Err(DetectiveError::Empty);
         }
-        let search = Search::new((&self.trials, &self.faults), &self.settings, picture, control);
+        let search = Search::new((&self.trials, &self.hypotheses), &self.settings, picture, control);
         let found = search.run()?;
         let size = search.other_size(found.explanation.orientation);
         remainder::verdict(&self.trials, &self.settings, (picture, size), &found.explanation, control)

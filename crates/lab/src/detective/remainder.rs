@@ -6,7 +6,8 @@ use catoptric_tracer::RenderControl;
 
 use super::codes::CodeStage;
 use super::faults::{Fault, FaultSet};
-use super::light_tree::{LightLaw, LightTrees};
+use super::light_law::LightLaw;
+use super::light_tree::LightTrees;
 use super::mistake::{Explanation, Mistake};
 use super::observed::ObservedPicture;
 use super::places::PixelChoice;
@@ -254,7 +255,7 @@ struct Laws<'a> {
 
 impl<'a> Laws<'a> {
     fn new(trials: &'a Trials<'_>, explanation: &Explanation) -> Result<Self, DetectiveError> {
-        let scene = trials.changed_scene(explanation.scene)?;
+        let scene = trials.scene();
         let law = |faults: &FaultSet| LightLaw::new(scene, faults);
         let with = |fault| explanation.faults.with(fault).map(|faults| law(&faults));
         let others = [

@@ -7,6 +7,10 @@ mod depth;
 mod detective;
 mod documents;
 mod exact;
+mod independent;
+#[allow(unreachable_pub, reason = "tests of other crates use it, too")]
+#[path = "../independent/mod.rs"]
+mod independent_tracer;
 mod maps;
 mod measuring;
 mod scenes;
