@@ -1,8 +1,9 @@
 //! What is systematically different in a picture by another ray tracer, found by trying it.
 //!
 //! Mistakes of the last step (curve, exposure, order of channels) and of the place of pixels are tried on the picture,
-//! those of the sum of light on recorded trees of rays, and those of rays by tracing anew. A mistake is named if it
-//! explains enough of the difference.
+//! those of the sum of light on recorded trees of rays, and those of the scene and of rays by tracing anew: of rays by a
+//! [tracer](trial_tracer) of its own, whose mistakes are switches. A mistake is named if it explains enough of the
+//! difference.
 
 mod codes;
 mod facts;
@@ -16,6 +17,7 @@ mod page;
 mod places;
 mod ray_fault;
 mod remainder;
+mod scene_change;
 mod scene_mistake;
 mod scene_words;
 mod score;

@@ -27,16 +27,8 @@ pub enum ExponentFactor {
 }
 
 impl ExponentFactor {
-    const ALL: [Self; 8] = [
-        Self::Two,
-        Self::Half,
-        Self::Four,
-        Self::Quarter,
-        Self::Three,
-        Self::Third,
-        Self::Ten,
-        Self::Tenth,
-    ];
+    const ALL: [Self; 8] =
+        [Self::Two, Self::Half, Self::Four, Self::Quarter, Self::Three, Self::Third, Self::Ten, Self::Tenth];
 
     /// Its value.
     pub fn value(self) -> f32 {
@@ -374,7 +366,9 @@ impl Fault {
             FaultTopic::Shadow if self != Self::NoShadows => facts.transmits,
             FaultTopic::Shadow | FaultTopic::Diffuse => facts.is_lit,
             FaultTopic::ShadowReach | FaultTopic::Lamps => has_many,
-            FaultTopic::HighlightColor if self == Self::WhiteHighlight => facts.has_highlights && is_colored(),
+            FaultTopic::HighlightColor if self == Self::WhiteHighlight => {
+                facts.has_highlights && is_colored()
+            }
             FaultTopic::Highlight
             | FaultTopic::HighlightLength
             | FaultTopic::HighlightColor

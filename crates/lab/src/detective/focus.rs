@@ -39,7 +39,8 @@ impl Focus {
             // Multiples of the golden ratio spread evenly.
             let spread = (0..count).filter_map(|index| {
                 let part = (index as f64 * 0.618_033_988_749_894_9).fract();
-                let place = if count == stratum.len() { index } else { (part * stratum.len() as f64) as usize };
+                let place =
+                    if count == stratum.len() { index } else { (part * stratum.len() as f64) as usize };
                 stratum.get(place).copied()
             });
             places.extend(spread);

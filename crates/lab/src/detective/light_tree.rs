@@ -165,10 +165,10 @@ impl LightTrees {
             distance: term.distance,
             is_above: term.cosine > 0.0,
             passed: term.shadow.as_ref().map_or(Vec3::ZERO, |shadow| shadow.passed),
-            is_blocked:
-                term.shadow.as_ref().is_none_or(|shadow| {
-                    shadow.crossings.iter().any(|crossing| is_opaque(scene, crossing.body))
-                }),
+            is_blocked: term
+                .shadow
+                .as_ref()
+                .is_none_or(|shadow| shadow.crossings.iter().any(|crossing| is_opaque(scene, crossing.body))),
             light: term.light,
         });
         let lights = self.add_lights(lights);

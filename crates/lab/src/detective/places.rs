@@ -80,12 +80,17 @@ impl Window {
     /// Fitted windows whose numbers are near its own.
     pub(super) fn neighbors(self, step: i16) -> Vec<Self> {
         let Self::Fitted { scale, shift } = self else { return Vec::new() };
-        let moved = |pair: [i16; 2], way: [i16; 2]| [pair[0].saturating_add(way[0]), pair[1].saturating_add(way[1])];
+        let moved =
+            |pair: [i16; 2], way: [i16; 2]| [pair[0].saturating_add(way[0]), pair[1].saturating_add(way[1])];
         let ways = [[step, 0], [-step, 0], [0, step], [0, -step], [step, step], [-step, -step]];
-        let scales = ways.map(|way| Self::Fitted { scale: moved(scale, way).map(|part| part.max(20)), shift });
+        let scales =
+            ways.map(|way| Self::Fitted { scale: moved(scale, way).map(|part| part.max(20)), shift });
         let shifts = ways.map(|way| Self::Fitted { scale, shift: moved(shift, way) });
         // Cut at one side, that side moves alone.
-        let sides = ways.map(|way| Self::Fitted { scale: moved(scale, way).map(|part| part.max(20)), shift: moved(shift, way) });
+        let sides = ways.map(|way| Self::Fitted {
+            scale: moved(scale, way).map(|part| part.max(20)),
+            shift: moved(shift, way),
+        });
         scales.into_iter().chain(shifts).chain(sides).collect()
     }
 

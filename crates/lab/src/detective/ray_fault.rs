@@ -341,7 +341,8 @@ impl RayFault {
     pub(super) fn possible(facts: &TrialFacts) -> Vec<Self> {
         let plain = Self::PLAIN.iter().copied().filter(|fault| fault.is_possible(facts));
         let mut all: Vec<Self> = plain.collect();
-        for length in [NormalLength::Unit, NormalLength::Gradient, NormalLength::UnitShape, NormalLength::UnitRadius]
+        for length in
+            [NormalLength::Unit, NormalLength::Gradient, NormalLength::UnitShape, NormalLength::UnitRadius]
         {
             if length != NormalLength::Unit || facts.is_scaled {
                 all.push(Self::LongNormals([length; 4]));
@@ -374,7 +375,9 @@ impl RayFault {
                 facts.has_cones
             }
             Self::PlanesFromAbove | Self::PlanesFromBelow => facts.has_planes,
-            Self::FarRoot | Self::NearRoot | Self::LostFour | Self::ExtraFour | Self::LostTwo => facts.is_round,
+            Self::FarRoot | Self::NearRoot | Self::LostFour | Self::ExtraFour | Self::LostTwo => {
+                facts.is_round
+            }
             Self::LostSquare | Self::LostLength | Self::OwnDistance | Self::OwnOrder => {
                 facts.is_round && facts.is_stretched
             }
@@ -419,8 +422,12 @@ impl RayFault {
             Self::Bias(bias) => {
                 let around = |size: u16| [size / 2, size / 4 * 3, size / 4 * 5, size / 2 * 3];
                 match bias {
-                    ShadowBias::Least(size) => around(size).map(|size| Self::Bias(ShadowBias::Least(size))).into(),
-                    ShadowBias::Above(size) => around(size).map(|size| Self::Bias(ShadowBias::Above(size))).into(),
+                    ShadowBias::Least(size) => {
+                        around(size).map(|size| Self::Bias(ShadowBias::Least(size))).into()
+                    }
+                    ShadowBias::Above(size) => {
+                        around(size).map(|size| Self::Bias(ShadowBias::Above(size))).into()
+                    }
                 }
             }
             _ => Vec::new(),

@@ -131,24 +131,19 @@ fn plain_words(mistake: SceneMistake) -> Words {
         SceneMistake::PatternDoubled => {
             ["cells of patterns are twice as large", "клетки узоров вдвое крупнее"]
         }
-        SceneMistake::PatternHalved => {
-            ["cells of patterns are half as large", "клетки узоров вдвое мельче"]
-        }
+        SceneMistake::PatternHalved => ["cells of patterns are half as large", "клетки узоров вдвое мельче"],
         SceneMistake::PatternMultiplied => [
             "points are multiplied by the size of cells instead of divided",
             "координаты умножены на размер клетки, а не поделены на него",
         ],
-        SceneMistake::PatternUnscaled => {
-            ["the size of cells is left out", "не учтён размер клеток"]
-        }
+        SceneMistake::PatternUnscaled => ["the size of cells is left out", "не учтён размер клеток"],
         SceneMistake::PatternSpace => [
             "patterns are laid out in the wrong space: of the body instead of the world, or the reverse",
             "узоры разложены не в том пространстве: тела вместо мира или наоборот",
         ],
-        SceneMistake::TargetAsDirection => [
-            "the camera's target is taken as its direction",
-            "цель камеры взята как направление взгляда",
-        ],
+        SceneMistake::TargetAsDirection => {
+            ["the camera's target is taken as its direction", "цель камеры взята как направление взгляда"]
+        }
         SceneMistake::CameraMoved(..) => {
             ["the camera stands elsewhere by a little", "камера стоит немного в другом месте"]
         }

@@ -245,7 +245,8 @@ impl Judge {
         rough.dedup_by(|one, other| one.1 == other.1);
         if pixels.probes.len() == pixels.values.len() {
             // All pixels were probes.
-            let best = rough.first().map(|(total, stage)| Score { loss: total - price(stage), stage: *stage });
+            let best =
+                rough.first().map(|(total, stage)| Score { loss: total - price(stage), stage: *stage });
             return best.unwrap_or(Score { loss: 1.0, stage: *near });
         }
         let tried = if is_free { 4 } else { 2 };

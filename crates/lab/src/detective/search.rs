@@ -41,7 +41,11 @@ impl Hypotheses {
             rays: trials.facts().map(RayFault::possible).unwrap_or_default(),
             scene: possible(SceneMistake::all()),
             // Without the trial tracer, each number would prepare the scene anew.
-            numbers: if trials.facts().is_some() { possible(SceneMistake::first_numbers()) } else { Vec::new() },
+            numbers: if trials.facts().is_some() {
+                possible(SceneMistake::first_numbers())
+            } else {
+                Vec::new()
+            },
             is_lit: facts.is_lit,
         }
     }
@@ -83,6 +87,8 @@ impl<'a> Search<'a> {
     const LEAST_PART: f64 = 0.2;
     /// The least part of the loss that a mistake with numbers of its own must save.
     const LEAST_PART_OF_NUMBERS: f64 = 0.7;
+    /// The largest part of the loss without any mistake that an explanation may leave.
+    const MOST_LEFT: f64 = 0.5;
     /// Explanations of a round that are tried on all chosen pixels, after all were tried on a few.
     const MOST_TRIED: usize = 9;
     /// Explanations of a round and of one that they come from that are tried on some more pixels.
@@ -145,7 +151,12 @@ impl<'a> Search<'a> {
             beam = different(found);
         }
         let best = self.pruned(best)?;
-        self.with_numbers(best, start)
+        let best = self.with_numbers(best, start)?;
+        // What explains less is as likely to be wrong: an unknown mistake looks a little like some that are known.
+        let right = Explanation::right(self.judge.curve);
+        let loss = self.loss_of(&right)?;
+        let is_explained = best.loss <= Self::MOST_LEFT * loss;
+        Ok(if is_explained { best } else { Candidate { explanation: right, loss } })
     }
 
     fn total(&self, candidate: &Candidate) -> f64 {
@@ -169,8 +180,7 @@ impl<'a> Search<'a> {
 
     /// The likeliest explanations with one mistake more than those of the beam.
     fn next(&self, beam: &[Candidate], round: usize) -> Result<Vec<Candidate>, DetectiveError> {
-        let foci: Vec<[Focus; 2]> =
-            beam.iter().map(|parent| self.foci(parent)).collect::<Result<_, _>>()?;
+        let foci: Vec<[Focus; 2]> = beam.iter().map(|parent| self.foci(parent)).collect::<Result<_, _>>()?;
         let (mut screened, mut whole): (Vec<Move<'_>>, Vec<Move<'_>>) = (Vec::new(), Vec::new());
         for (parent, foci) in beam.iter().zip(&foci) {
             for explanation in self.moves(&parent.explanation, round) {
@@ -239,11 +249,14 @@ impl<'a> Search<'a> {
                 .filter_map(|fault| Some(Explanation { faults: from.faults.with(*fault)?, ..from.clone() })),
         );
         all.extend(
-            rays.iter().filter_map(|fault| Some(Explanation { rays: from.rays.with(*fault)?, ..from.clone() })),
+            rays.iter()
+                .filter_map(|fault| Some(Explanation { rays: from.rays.with(*fault)?, ..from.clone() })),
         );
-        all.extend(scene.iter().filter_map(|mistake| {
-            Some(Explanation { scene: from.scene.with(*mistake)?, ..from.clone() })
-        }));
+        all.extend(
+            scene.iter().filter_map(|mistake| {
+                Some(Explanation { scene: from.scene.with(*mistake)?, ..from.clone() })
+            }),
+        );
         if !from.has_acne && *is_lit {
             all.push(Explanation { has_acne: true, ..from.clone() });
         }

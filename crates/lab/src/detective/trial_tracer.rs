@@ -179,7 +179,13 @@ impl<'a> TrialTracer<'a> {
     }
 
     /// Adds the tree of the place `at` of a picture of `size` pixels.
-    pub(super) fn trace(&self, at: glam::DVec2, size: glam::DVec2, limits: TrialLimits, trees: &mut LightTrees) {
+    pub(super) fn trace(
+        &self,
+        at: glam::DVec2,
+        size: glam::DVec2,
+        limits: TrialLimits,
+        trees: &mut LightTrees,
+    ) {
         let (origin, direction) = self.view.ray(at, size);
         let mut waiting = vec![TrialRay {
             origin,
@@ -233,13 +239,15 @@ impl<'a> TrialTracer<'a> {
         let is_primary = ray.kind == RayKind::Primary;
         let behind_all = order == Some(RayFault::HitsBehind);
         let behind_eye = order == Some(RayFault::HitsBehindEye) && is_primary;
+        // With a wrong normal the start may lie on the surface still.
+        let least = if is_primary { 0.0 } else { self.start };
         let mut best: Option<(usize, Hit, f64)> = None;
         let mut last_distance = 0.0;
         for (index, body) in self.bodies.iter().enumerate() {
             let (hits, stretch) = body.hits(ray.origin, ray.direction, &self.switches);
             let mut own: Option<Hit> = None;
             for hit in hits.iter() {
-                let is_met = hit.t > 0.0 || behind_eye || behind_all && hit.t < -1e4 * self.start;
+                let is_met = hit.t > least || behind_eye || behind_all && hit.t < -1e4 * self.start;
                 let rank = |t: f64| if behind_all { t.abs() } else { t };
                 if is_met && own.is_none_or(|own| rank(hit.t) < rank(own.t)) {
                     own = Some(*hit);
@@ -282,7 +290,8 @@ impl<'a> TrialTracer<'a> {
         let phong = body.phong;
         let is_matte = phong.diffuse == 0.0 && phong.specular == 0.0;
         let shown = if is_matte { &[][..] } else { &self.lamps };
-        let samples = shown.iter().enumerate().map(|(index, lamp)| self.sample(hit, (shading, facing), index, lamp));
+        let samples =
+            shown.iter().enumerate().map(|(index, lamp)| self.sample(hit, (shading, facing), index, lamp));
         let lights = trees.add_lights(samples);
         let normal = shading.as_vec3();
         Some(PhongPoint {
@@ -309,7 +318,13 @@ impl<'a> TrialTracer<'a> {
         })
     }
 
-    fn sample(&self, hit: &TrialHit, (shading, facing): (DVec3, DVec3), index: usize, lamp: &Light) -> LightSample {
+    fn sample(
+        &self,
+        hit: &TrialHit,
+        (shading, facing): (DVec3, DVec3),
+        index: usize,
+        lamp: &Light,
+    ) -> LightSample {
         let way = match self.switches.lamp {
             Some(RayFault::LampsAsDirections) => lamp.position,
             Some(_) => hit.position - lamp.position,
@@ -439,7 +454,12 @@ impl<'a> TrialTracer<'a> {
     }
 
     /// The refracted ray without its coefficient, and Schlick's reflectance (1994, eq. 15); `None` at total reflection.
-    fn bent(&self, ray: &TrialRay, hit: &TrialHit, (facing, is_leaving): (DVec3, bool)) -> Option<(TrialRay, f32)> {
+    fn bent(
+        &self,
+        ray: &TrialRay,
+        hit: &TrialHit,
+        (facing, is_leaving): (DVec3, bool),
+    ) -> Option<(TrialRay, f32)> {
         let index = |media: &MediumList| {
             let body = media.innermost().and_then(|body| self.bodies.get(body));
             body.map_or(1.0, |body| body.phong.ior)
@@ -460,7 +480,8 @@ impl<'a> TrialTracer<'a> {
         if under < 0.0 {
             return None;
         }
-        let direction = (ratio * ray.direction + (ratio * cosine - under.sqrt()) * normal).normalize_or(ray.direction);
+        let direction =
+            (ratio * ray.direction + (ratio * cosine - under.sqrt()) * normal).normalize_or(ray.direction);
         let side = if direction.dot(facing) < 0.0 { -facing } else { facing };
         // A body that is entered twice, or left from outside, is a fault's.
         let is_odd = ray.media.has(hit.body) != is_leaving;

@@ -163,7 +163,9 @@ impl<'a> Trials<'a> {
         rays.map(|offset| {
             let key = RayKey::new(choice, explanation, offset);
             if let Some(trees) = locked(&self.trees, |trees| trees.get(&key)) {
-                return Ok(Arc::new(places.iter().map(|place| trees.light(*place, &law, &mut sums)).collect()));
+                return Ok(Arc::new(
+                    places.iter().map(|place| trees.light(*place, &law, &mut sums)).collect(),
+                ));
             }
             let pixels = places.iter().filter_map(|place| choice.pixels.get(*place).copied()).collect();
             let part = PixelChoice { size: choice.size, pixels, pairs: Vec::new() };

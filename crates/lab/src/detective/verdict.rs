@@ -368,9 +368,10 @@ fn window_in_words(window: Window) -> Words {
 
 fn curve_in_words(expected: CodeCurve, found: CodeCurve) -> Words {
     match (expected, found) {
-        (_, CodeCurve::GammaTwice) => {
-            ["light is encoded twice: by a gamma of 2.2 and again", "свет закодирован дважды: гаммой 2,2 и ещё раз"]
-        }
+        (_, CodeCurve::GammaTwice) => [
+            "light is encoded twice: by a gamma of 2.2 and again",
+            "свет закодирован дважды: гаммой 2,2 и ещё раз",
+        ],
         (_, CodeCurve::SrgbTwice) => [
             "light is encoded twice: by the sRGB curve and again",
             "свет закодирован дважды: кривой sRGB и ещё раз",

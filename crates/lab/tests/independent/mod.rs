@@ -159,10 +159,7 @@ impl<'a> IndependentTracer<'a> {
                 if self.has(Slip::LampsAsDirections) { lamp.position } else { lamp.position - meeting.at };
             let toward = way.normalize();
             let cosine = normal.dot(toward);
-            if cosine <= 0.0
-                && !self.has(Slip::CosineMagnitude)
-                && !self.has(Slip::CosineNegative)
-            {
+            if cosine <= 0.0 && !self.has(Slip::CosineMagnitude) && !self.has(Slip::CosineNegative) {
                 continue;
             }
             // Bodies that shine on both sides do not hide themselves.
@@ -332,7 +329,8 @@ impl<'a> IndependentTracer<'a> {
         let mut light = DVec3::ZERO;
         if weights[0] > 0.0 {
             let sign = if self.has(Slip::ReflectionBackwards) { -1.0 } else { 1.0 };
-            let direction = sign * (ray.direction - 2.0 * normal.dot(ray.direction) * normal);
+            let mirrored = ray.direction - 2.0 * normal.dot(ray.direction) * normal;
+            let direction = sign * mirrored.normalize();
             let side = if direction.dot(normal) > 0.0 { normal } else { -normal };
             let tint = if self.has(Slip::TintedReflection) { color } else { DVec3::ONE };
             let origin = meeting.at + START * side.normalize();

@@ -330,8 +330,11 @@ fn synthetic_mistakes_are_named() {
         scenes.iter().map(|scene| Detective::new(scene, settings()).unwrap()).collect();
     let outcome = |case: &Case| {
         let scene = &scenes[case.scene];
-        let picture =
-            if case.is_exact { made_by_exact(scene, &case.made)? } else { made_by_independent(scene, &case.made) };
+        let picture = if case.is_exact {
+            made_by_exact(scene, &case.made)?
+        } else {
+            made_by_independent(scene, &case.made)
+        };
         let verdict = detectives[case.scene].check(&picture.observed(), &RenderControl::default()).unwrap();
         let is_named = is_right(&verdict, &case.made);
         if !is_named {

@@ -34,7 +34,11 @@ const BORDER: f64 = 1e-6;
 
 impl<'a> TrialBody<'a> {
     /// `None` if it is of another kind.
-    pub(super) fn new(scene: &'a Scene, (place, body): (usize, &'a Body), switches: &Switches) -> Option<Self> {
+    pub(super) fn new(
+        scene: &'a Scene,
+        (place, body): (usize, &'a Body),
+        switches: &Switches,
+    ) -> Option<Self> {
         let phong = match scene.material(&body.material)? {
             Material::Phong(phong) => phong,
             _ => return None,

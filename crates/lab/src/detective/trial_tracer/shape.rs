@@ -65,10 +65,18 @@ impl Switches {
 /// A shape in its own frame.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum TrialShape {
-    Sphere { radius: f64 },
-    Cube { half: DVec3 },
+    Sphere {
+        radius: f64,
+    },
+    Cube {
+        half: DVec3,
+    },
     /// A cylinder or a cone, whose radius changes from base to top.
-    Frustum { base: f64, top: f64, height: f64 },
+    Frustum {
+        base: f64,
+        top: f64,
+        height: f64,
+    },
     Plane,
 }
 
