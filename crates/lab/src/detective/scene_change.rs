@@ -175,7 +175,7 @@ fn turn_cone(body: &mut Body) {
 
 /// Gives bodies that are turned about their frames' axes another rotation.
 fn turn_bodies(scene: &mut Scene, rotation: impl Fn(DVec3) -> DMat3) {
-    for body in scene.bodies.iter_mut() {
+    for body in &mut scene.bodies {
         if let Anchor::Frame { rotation_degrees: own, .. } = &mut body.placement.anchor
             && *own != DVec3::ZERO
         {
@@ -215,7 +215,7 @@ fn each_solid(scene: &mut Scene, change: impl Fn(&mut SolidTexture)) {
 
 fn each_material(scene: &mut Scene, change: impl Fn(&mut Material)) {
     scene.materials.iter_mut().for_each(|named| change(&mut named.material));
-    for body in scene.bodies.iter_mut() {
+    for body in &mut scene.bodies {
         body.each_material_mut(&mut |choice| {
             if let catoptric_scene::MaterialChoice::Inline(material) = choice {
                 change(material);

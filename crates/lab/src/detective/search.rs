@@ -425,7 +425,7 @@ impl<'a> Search<'a> {
         const MOST_STEPS: usize = 5;
         let stage = base.explanation.stage;
         let mut loss = self.score_at(focus, &explanation, &stage)?.loss;
-        for step in [32, 16, 8, 4, 16, 8, 4, 2] {
+        for step in [32, 16, 8, 4, 16, 8, 4, 2, 1] {
             for _ in 0..MOST_STEPS {
                 let mut least = (loss, None);
                 for other in neighbors(&explanation, step) {

@@ -318,8 +318,8 @@ fn cases() -> Vec<Case> {
             }
         }
     }
-    // Each fifth: every mistake is in some of them.
-    all.extend(pairs.into_iter().step_by(5));
+    // Each eleventh: every mistake is in some of them.
+    all.extend(pairs.into_iter().step_by(11));
     all
 }
 
@@ -356,7 +356,7 @@ fn synthetic_mistakes_are_named() {
         (own.len(), right as f64 / own.len() as f64)
     };
     let ((singles, single), (pairs, double)) = (rate(1), rate(2));
-    assert!(singles >= 100 && pairs >= 90, "{singles} {pairs}");
+    assert!(singles >= 90 && pairs >= 40, "{singles} {pairs}");
     assert!(single >= 0.95, "{single}");
     assert!(double >= 0.8, "{double}");
 }

@@ -39,10 +39,7 @@ impl<'a> TrialBody<'a> {
         (place, body): (usize, &'a Body),
         switches: &Switches,
     ) -> Option<Self> {
-        let phong = match scene.material(&body.material)? {
-            Material::Phong(phong) => phong,
-            _ => return None,
-        };
+        let Material::Phong(phong) = scene.material(&body.material)? else { return None };
         if body.instance.is_some() || body.parametric.is_some() || phong.pattern.texture.is_some() {
             return None;
         }

@@ -191,12 +191,12 @@ fn sphere(radius: f64, origin: DVec3, direction: DVec3, switches: &Switches, hit
 }
 
 fn cube(half: DVec3, origin: DVec3, direction: DVec3, switches: &Switches, hits: &mut Hits) {
-    let (inverse, spread) = (direction.recip(), half * direction.recip().abs());
-    let near = -origin * inverse - spread;
-    let far = -origin * inverse + spread;
+    let inverse = direction.recip();
+    let (low, high) = ((-half - origin) * inverse, (half - origin) * inverse);
+    let (near, far) = (low.min(high), low.max(high));
     let (enter, leave) = (near.max_element(), far.min_element());
     // A direction along a face makes infinities of the right signs; within the face itself, it misses.
-    if !(enter <= leave) {
+    if enter.is_nan() || leave.is_nan() || enter > leave {
         return;
     }
     for (t, each, sign) in [(enter, near, -1.0), (leave, far, 1.0)] {
