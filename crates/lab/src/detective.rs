@@ -1,26 +1,34 @@
 //! What is systematically different in a picture by another ray tracer, found by trying it.
 //!
 //! Mistakes of the last step (curve, exposure, order of channels) and of the place of pixels are tried on the picture,
-//! those of the sum of light on recorded trees of rays, and those of rays by tracing anew. A mistake is named if it
-//! explains enough of the difference.
+//! those of the sum of light on recorded trees of rays, and those of the scene and of rays by tracing anew: of rays by a
+//! [tracer](trial_tracer) of its own, whose mistakes are switches. A mistake is named if it explains enough of the
+//! difference.
 
 mod codes;
 mod edges;
 mod expected;
 mod facts;
 mod faults;
+mod focus;
 mod groups;
+mod light_law;
 mod light_tree;
 mod mistake;
 mod observed;
 mod page;
 mod places;
+mod ray_fault;
 mod remainder;
+mod scene_change;
+mod scene_mistake;
+mod scene_words;
 mod score;
 mod search;
 mod simplest;
 mod tally;
 mod terms;
+mod trial_tracer;
 mod trials;
 mod verdict;
 
@@ -29,20 +37,21 @@ use catoptric_scene::Scene;
 use catoptric_tracer::{RenderControl, RenderError, SceneBuildError};
 
 pub use codes::{CodeCurve, CodeStage};
-pub use faults::Fault;
+pub use faults::{ExponentFactor, Fault};
 pub use groups::MistakeGroup;
-pub use mistake::{Mistake, SceneMistake};
+pub use mistake::Mistake;
 pub use observed::{ObservedPicture, Orientation};
 pub use page::{CheckedPicture, checked_page};
 pub use places::{Offset, OffsetKind, Window};
+pub use ray_fault::{LeavingRule, NormalLength, RayFault, ShadowBias};
 pub use remainder::{Cluster, DifferenceKind, WorstPixel};
+pub use scene_mistake::{BodyKind, OtherOrigin, SceneMistake, SizeKind, TurnOrder};
 pub use simplest::SimplestDifference;
 pub use verdict::Verdict;
 
-use facts::SceneFacts;
 use mistake::Explanation;
 use score::Judge;
-use search::Search;
+use search::{Hypotheses, Search};
 use tally::PictureTrial;
 use trials::Trials;
 
@@ -141,7 +150,7 @@ pub enum DetectiveError {
 #[derive(Debug)]
 pub struct Detective<'a> {
     trials: Trials<'a>,
-    faults: Vec<Fault>,
+    hypotheses: Hypotheses,
     settings: DetectiveSettings,
 }
 
@@ -151,8 +160,8 @@ impl<'a> Detective<'a> {
     /// # Errors
     /// When the scene cannot be prepared.
     pub fn new(scene: &'a Scene, settings: DetectiveSettings) -> Result<Self, DetectiveError> {
-        let faults = Fault::possible(scene, &SceneFacts::of(scene));
-        Ok(Self { trials: Trials::new(scene, settings.expected_size)?, faults, settings })
+        let trials = Trials::new(scene, settings.expected_size)?;
+        Ok(Self { hypotheses: Hypotheses::of(&trials), trials, settings })
     }
 
     /// Finds what is systematically different in a picture of the scene, on the threads of the current rayon pool.
@@ -171,7 +180,7 @@ impl<'a> Detective<'a> {
         let right = Explanation::right(settings.curve);
         let trial = PictureTrial { trials, settings, picture, explanation: &right, control };
         let plain = trial.tally()?;
-        let search = Search::new((trials, &self.faults), settings, picture, control);
+        let search = Search::new((trials, &self.hypotheses), settings, picture, control);
         // What is left to explain is less than a mistake costs.
         let is_explained = plain.differing <= DetectiveSettings::PRICE;
         let found = if is_explained || settings.searched_pixels == 0 {

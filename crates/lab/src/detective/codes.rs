@@ -18,11 +18,32 @@ pub enum CodeCurve {
     Darkened,
     /// x / (1 + x) of the light before it is clamped, without another curve.
     Reinhard,
+    /// The inverse of the function of sRGB.
+    Decoded,
+    /// The power 1/2.2 twice.
+    GammaTwice,
+    /// The function of sRGB, then the power 1/2.2.
+    SrgbThenGamma,
+    /// The power 1/2.2, then the function of sRGB.
+    GammaThenSrgb,
+    /// The function of sRGB twice.
+    SrgbTwice,
 }
 
 impl CodeCurve {
-    pub(super) const ALL: [Self; 6] =
-        [Self::Linear, Self::Srgb, Self::Gamma, Self::SquareRoot, Self::Darkened, Self::Reinhard];
+    pub(super) const ALL: [Self; 11] = [
+        Self::Linear,
+        Self::Srgb,
+        Self::Gamma,
+        Self::SquareRoot,
+        Self::Darkened,
+        Self::Reinhard,
+        Self::Decoded,
+        Self::GammaTwice,
+        Self::SrgbThenGamma,
+        Self::GammaThenSrgb,
+        Self::SrgbTwice,
+    ];
 
     /// The name in JSON.
     pub const fn key(self) -> &'static str {
@@ -33,21 +54,51 @@ impl CodeCurve {
             Self::SquareRoot => "square-root",
             Self::Darkened => "power-2.2",
             Self::Reinhard => "reinhard",
+            Self::Decoded => "srgb-inverse",
+            Self::GammaTwice => "gamma-2.2-twice",
+            Self::SrgbTwice => "srgb-twice",
+            Self::SrgbThenGamma => "srgb-then-gamma-2.2",
+            Self::GammaThenSrgb => "gamma-2.2-then-srgb",
         }
     }
 
+    /// The two curves that it consists of, the first applied first.
+    const fn both(self) -> Option<[Self; 2]> {
+        match self {
+            Self::GammaTwice => Some([Self::Gamma, Self::Gamma]),
+            Self::SrgbTwice => Some([Self::Srgb, Self::Srgb]),
+            Self::SrgbThenGamma => Some([Self::Srgb, Self::Gamma]),
+            Self::GammaThenSrgb => Some([Self::Gamma, Self::Srgb]),
+            _ => None,
+        }
+    }
+
+    /// Whether light is encoded twice.
+    pub(super) const fn is_double(self) -> bool {
+        self.both().is_some()
+    }
+
     fn exact(self, light: f64) -> f64 {
+        if let Some([first, second]) = self.both() {
+            return second.exact(first.exact(light));
+        }
         match self {
             Self::Linear | Self::Reinhard => light,
             Self::Srgb => catoptric_picture::srgb::encode(light),
             Self::Gamma => light.powf(1.0 / 2.2),
             Self::SquareRoot => light.sqrt(),
             Self::Darkened => light.powf(2.2),
+            Self::Decoded => catoptric_picture::srgb::decode(light),
+            // Told above.
+            Self::GammaTwice | Self::SrgbTwice | Self::SrgbThenGamma | Self::GammaThenSrgb => light,
         }
     }
 
     /// The light of a code, the inverse of the curve.
     pub(super) fn light(self, code: f32) -> f32 {
+        if let Some([first, second]) = self.both() {
+            return first.light(second.light(code));
+        }
         let code = f64::from(code);
         let light = match self {
             Self::Linear => code,
@@ -56,14 +107,19 @@ impl CodeCurve {
             Self::SquareRoot => code * code,
             Self::Darkened => code.powf(1.0 / 2.2),
             Self::Reinhard => code / (1.0 - code).max(1e-3),
+            Self::Decoded => catoptric_picture::srgb::encode(code),
+            // Told above.
+            Self::GammaTwice | Self::SrgbTwice | Self::SrgbThenGamma | Self::GammaThenSrgb => code,
         };
         light as f32
     }
 
     /// The code of light.
     fn code(self, light: f32) -> f32 {
-        /// Steps of the table over the square root of the light: all curves but the last are smooth there.
+        /// Steps of the table over the square root of the light, where most curves are smooth.
         const STEPS: usize = 1024;
+        /// The first steps, in which double curves are too steep for the table.
+        const STEEP: usize = 16;
         static TABLES: OnceLock<Vec<Vec<f32>>> = OnceLock::new();
         match self {
             Self::Linear => return light.clamp(0.0, 1.0),
@@ -79,6 +135,9 @@ impl CodeCurve {
         });
         let at = light.clamp(0.0, 1.0).sqrt() * STEPS as f32;
         let step = at as usize;
+        if step < STEEP && self.is_double() {
+            return self.exact(f64::from(light.max(0.0))) as f32;
+        }
         match tables.get(self as usize).and_then(|table| table.get(step..step + 2)) {
             Some([low, high]) => low + (high - low) * (at - step as f32),
             _ => 1.0,

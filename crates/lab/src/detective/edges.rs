@@ -13,7 +13,7 @@ use rayon::prelude::*;
 
 use super::DetectiveError;
 use super::codes::CodeStage;
-use super::light_tree::LightLaw;
+use super::light_law::LightLaw;
 use super::mistake::Explanation;
 use super::places::PixelChoice;
 use super::trials::Trials;
@@ -91,7 +91,7 @@ impl Footprint {
     ) -> Result<Vec<Self>, DetectiveError> {
         /// Pixels that one thread traces at once.
         const AT_ONCE: usize = 64;
-        let law = LightLaw::new(trials.changed_scene(explanation.scene)?, &explanation.faults);
+        let law = LightLaw::new(trials.scene(), &explanation.faults);
         let part = |pixels: &[[u32; 2]]| {
             let choice = PixelChoice { size, pixels: pixels.to_vec(), pairs: Vec::new() };
             let mut all = vec![Self::default(); pixels.len()];

@@ -1,10 +1,12 @@
 //! Mistakes by what they have to do with, for whoever counts them.
 
 use super::codes::CodeCurve;
-use super::faults::Fault;
-use super::mistake::{Mistake, SceneMistake};
+use super::faults::{ExponentFactor, Fault, FaultTopic};
+use super::mistake::Mistake;
 use super::observed::Orientation;
 use super::places::{Offset, Window};
+use super::ray_fault::{LeavingRule, NormalLength, RayFault, ShadowBias};
+use super::scene_mistake::{BodyKind, SceneMistake};
 use super::verdict;
 use crate::report::Language;
 
@@ -81,10 +83,8 @@ impl Mistake {
             Self::Orientation(_) => MistakeGroup::Order,
             Self::Window(_) => MistakeGroup::View,
             Self::Offset(_) => MistakeGroup::Pixel,
-            Self::Scene(SceneMistake::StraightRefraction | SceneMistake::InvertedRefraction) => {
-                MistakeGroup::Rays
-            }
-            Self::Scene(_) => MistakeGroup::Bodies,
+            Self::Scene(mistake) => mistake.group(),
+            Self::Ray(fault) => fault.group(),
             Self::Fault(fault) => fault.group(),
             Self::Acne => MistakeGroup::Rounding,
             Self::ClampedFirst => MistakeGroup::Clamping,
@@ -113,7 +113,9 @@ impl Mistake {
             .chain(Offset::OTHERS.map(Self::Offset))
             .chain(CodeCurve::ALL.into_iter().filter(|found| *found != CodeCurve::Linear).map(curve))
             .chain(codes)
-            .chain(SceneMistake::ALL.map(Self::Scene))
+            .chain([Self::Window(Window::Fitted { scale: [1000; 2], shift: [0; 2] })])
+            .chain(SceneMistake::all().into_iter().chain(SceneMistake::first_numbers()).map(Self::Scene))
+            .chain(RayFault::all().map(Self::Ray))
             .chain(Fault::all().map(Self::Fault))
             .chain([Self::Acne]);
         let mut kinds: Vec<(&'static str, MistakeGroup)> = Vec::new();
@@ -126,29 +128,91 @@ impl Mistake {
     }
 }
 
-impl Fault {
+impl SceneMistake {
+    fn group(self) -> MistakeGroup {
+        match self {
+            Self::StraightRefraction | Self::InvertedRefraction => MistakeGroup::Rays,
+            Self::Shadowless(_) => MistakeGroup::Light,
+            Self::TargetAsDirection | Self::CameraMoved(..) => MistakeGroup::View,
+            _ => MistakeGroup::Bodies,
+        }
+    }
+}
+
+impl RayFault {
     /// All faults, of those with a number one each.
     fn all() -> impl Iterator<Item = Self> {
-        Self::PLAIN.into_iter().chain([Self::Generations(1), Self::MoreGenerations])
+        let leaving = [LeavingRule::Ratio, LeavingRule::Normal, LeavingRule::Straight].map(Self::Leaving);
+        let with_numbers = [
+            Self::LongNormals([NormalLength::Gradient; 4]),
+            Self::Bias(ShadowBias::Least(10)),
+            Self::WithoutCaps(BodyKind::Cylinders),
+        ];
+        Self::PLAIN.iter().copied().chain(with_numbers).chain(leaving)
     }
 
     fn group(self) -> MistakeGroup {
         match self {
-            Self::NoHighlight | Self::HighlightInShadow | Self::HalfwayHighlight | Self::ColoredHighlight => {
-                MistakeGroup::Highlights
-            }
-            Self::NoReflection
-            | Self::BlendedReflection
-            | Self::AddedReflection
-            | Self::NoRefraction
-            | Self::Generations(_)
-            | Self::MoreGenerations => MistakeGroup::Rays,
-            Self::OpaqueShadows | Self::ClearShadows | Self::OpaqueBodies | Self::UnweighedBodies => {
+            Self::HighlightOnDarkSide => MistakeGroup::Highlights,
+            Self::ShadowsFromBeyond
+            | Self::ShadowsWithinOne
+            | Self::ShadowsFromBehind
+            | Self::CosineMagnitude
+            | Self::CosineNegative
+            | Self::LampsAsDirections
+            | Self::LampsReversed
+            | Self::Bias(_) => MistakeGroup::Light,
+            Self::ReflectionBackwards
+            | Self::ReflectionHalf
+            | Self::ReflectionAdded
+            | Self::Leaving(_)
+            | Self::LastHit
+            | Self::FirstHit
+            | Self::LastDistance
+            | Self::HitsBehindEye
+            | Self::HitsBehind => MistakeGroup::Rays,
+            Self::UpNotOrthogonal
+            | Self::RightNotUnit
+            | Self::RightAloneNotUnit
+            | Self::EvenAngles
+            | Self::NoTilt => MistakeGroup::View,
+            _ => MistakeGroup::Bodies,
+        }
+    }
+}
+
+impl Fault {
+    /// All faults, of those with a number one each.
+    fn all() -> impl Iterator<Item = Self> {
+        let with_numbers = [Self::Exponent(ExponentFactor::Half), Self::Generations(1)];
+        Self::PLAIN.iter().copied().chain(with_numbers)
+    }
+
+    fn group(self) -> MistakeGroup {
+        match self.topic() {
+            _ if matches!(self, Self::OpaqueShadows | Self::ClearShadows | Self::OpaqueBodies) => {
                 MistakeGroup::ClearBodies
             }
-            Self::ClampedLocal | Self::ClampedRays | Self::ClampedLamps => MistakeGroup::Clamping,
-            Self::ScaledNormals | Self::UnscaledNormals => MistakeGroup::Bodies,
-            _ => MistakeGroup::Light,
+            FaultTopic::Weights | FaultTopic::Tint => MistakeGroup::ClearBodies,
+            FaultTopic::Highlight
+            | FaultTopic::HighlightLength
+            | FaultTopic::HighlightColor
+            | FaultTopic::Exponent => MistakeGroup::Highlights,
+            FaultTopic::Reflection
+            | FaultTopic::ReflectionInside
+            | FaultTopic::Refraction
+            | FaultTopic::Depth
+            | FaultTopic::Surroundings => MistakeGroup::Rays,
+            FaultTopic::Clamping => MistakeGroup::Clamping,
+            FaultTopic::Normal => MistakeGroup::Bodies,
+            FaultTopic::Colors => MistakeGroup::Codes,
+            FaultTopic::Shadow
+            | FaultTopic::ShadowReach
+            | FaultTopic::Ambient
+            | FaultTopic::Diffuse
+            | FaultTopic::Falloff
+            | FaultTopic::Lamps
+            | FaultTopic::LampColor => MistakeGroup::Light,
         }
     }
 }

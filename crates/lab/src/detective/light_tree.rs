@@ -2,11 +2,11 @@
 
 use std::ops::Range;
 
-use catoptric_scene::{Falloff, Light, Material, Phong, Scene, Shape};
+use catoptric_scene::{Material, Phong, Scene, Shape};
 use catoptric_tracer::{RayKind, RayRecord, SurfaceRecord};
 use glam::{DVec3, Vec3};
 
-use super::faults::{Fault, FaultSet};
+use super::light_law::LightLaw;
 
 /// Trees of rays, one for each place in the picture.
 #[derive(Debug, Default)]
@@ -19,61 +19,102 @@ pub(super) struct LightTrees {
 
 /// A ray with what is needed to sum up its light anew.
 #[derive(Debug)]
-struct TreeNode {
-    /// Of its own tree.
-    parent: u32,
-    kind: RayKind,
-    generation: u32,
+pub(super) struct TreeNode {
+    /// Of its own tree; `u32::MAX` for the first ray.
+    pub(super) parent: u32,
+    pub(super) kind: RayKind,
+    pub(super) generation: u32,
     /// The coefficient that its parent gave it, times what media on its way leave.
-    coefficient: Vec3,
+    pub(super) coefficient: Vec3,
     /// What that product would be if no coefficient depended on the angle.
-    unweighed: Vec3,
+    pub(super) unweighed: Vec3,
+    /// Whether it is reflected because no light passes.
+    pub(super) is_total: bool,
+    /// Whether it starts inside the body that sent it on.
+    pub(super) is_inside: bool,
     /// The local light where it is not known in terms: of surroundings, and of surfaces that are not Phong's.
-    fixed: Vec3,
-    surface: Option<PhongPoint>,
-    body: Option<usize>,
+    pub(super) fixed: Vec3,
+    pub(super) surface: Option<PhongPoint>,
+    pub(super) body: Option<usize>,
 }
 
 /// A point of a surface by Phong's law.
 #[derive(Debug)]
-struct PhongPoint {
-    color: Vec3,
-    ambient_light: Vec3,
-    ambient: f32,
-    diffuse: f32,
-    specular: f32,
-    shininess: f32,
-    reflection: f32,
+pub(super) struct PhongPoint {
+    pub(super) color: Vec3,
+    pub(super) ambient_light: Vec3,
+    pub(super) ambient: f32,
+    pub(super) diffuse: f32,
+    pub(super) specular: f32,
+    pub(super) shininess: f32,
+    pub(super) reflection: f32,
+    pub(super) tint: Vec3,
     /// Towards where the ray comes from.
-    view: Vec3,
-    normal: Vec3,
+    pub(super) view: Vec3,
+    /// How long the ray is, meters.
+    pub(super) way: f32,
+    /// From the point to the eye of the scene, meters.
+    pub(super) to_eye: Vec3,
+    pub(super) normal: Vec3,
     /// The normal as the matrix of the body turns it, and that of the unscaled body.
-    wrong_normals: [Vec3; 2],
-    lights: Range<u32>,
+    pub(super) wrong_normals: [Vec3; 2],
+    pub(super) dark_side: DarkSide,
+    pub(super) lights: Range<u32>,
+}
+
+/// What a lamp below the horizon of a point does.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum DarkSide {
+    /// Nothing.
+    #[default]
+    Dark,
+    /// It shines as if it stood above.
+    Magnitude,
+    /// It takes light away.
+    Negative,
+    /// It makes highlights.
+    Highlight,
 }
 
 /// A light as a point of a surface sees it.
 #[derive(Debug)]
-struct LightSample {
-    direction: Vec3,
-    distance: f32,
-    /// Whether it stands above the surface.
-    is_above: bool,
-    passed: Vec3,
+pub(super) struct LightSample {
+    pub(super) direction: Vec3,
+    pub(super) distance: f32,
+    /// Whether it stands above the surface, or its light is known although it does not.
+    pub(super) is_above: bool,
+    pub(super) passed: Vec3,
     /// Whether an opaque body stands in the way.
-    is_blocked: bool,
+    pub(super) is_blocked: bool,
     /// Its place among those of the scene that are not hidden.
-    light: usize,
+    pub(super) light: usize,
 }
 
 impl LightTrees {
-    /// Adds the tree of a place.
+    /// Adds the tree of a place as the exact tracer recorded it.
     pub(super) fn push(&mut self, scene: &Scene, records: &[RayRecord]) {
         for record in records {
             let parent = record.parent.and_then(|parent| records.get(parent));
             let node = self.node(scene, record, parent);
             self.nodes.push(node);
         }
+        self.end_tree();
+    }
+
+    /// Adds a ray to the tree that is not ended yet.
+    pub(super) fn add_node(&mut self, node: TreeNode) {
+        self.nodes.push(node);
+    }
+
+    /// Adds lights as a point sees them; where they stand.
+    pub(super) fn add_lights(&mut self, lights: impl Iterator<Item = LightSample>) -> Range<u32> {
+        let first = self.lights.len() as u32;
+        self.lights.extend(lights);
+        first..self.lights.len() as u32
+    }
+
+    /// Ends the tree of a place.
+    pub(super) fn end_tree(&mut self) {
         self.ends.push(self.nodes.len() as u32);
     }
 
@@ -94,12 +135,17 @@ impl LightTrees {
             (Some(answer), Some(phong)) => self.surface(scene, record, answer, phong),
             _ => None,
         };
+        let interface = parent.and_then(|parent| parent.answer.as_ref()).and_then(|answer| answer.interface);
+        let is_reflected = record.kind == RayKind::Reflected;
+        let sender = parent.and_then(|parent| parent.hit).map(|hit| hit.body);
         TreeNode {
             parent: record.parent.map_or(u32::MAX, |parent| parent as u32),
             kind: record.kind,
             generation: record.generation,
             coefficient: record.coefficient * record.through,
             unweighed: unweighed(record, parent.and_then(|parent| phong_of(scene, parent))) * record.through,
+            is_total: is_reflected && interface.is_some_and(|interface| interface.is_total),
+            is_inside: sender.is_some_and(|sender| record.media.contains(&sender)),
             fixed: if surface.is_some() { Vec3::ZERO } else { record.local },
             surface,
             body,
@@ -114,18 +160,18 @@ impl LightTrees {
         phong: &Phong,
     ) -> Option<PhongPoint> {
         let hit = record.hit?;
-        let first = self.lights.len() as u32;
-        self.lights.extend(answer.lights.iter().map(|term| LightSample {
+        let lights = answer.lights.iter().map(|term| LightSample {
             direction: term.direction,
             distance: term.distance,
             is_above: term.cosine > 0.0,
             passed: term.shadow.as_ref().map_or(Vec3::ZERO, |shadow| shadow.passed),
-            is_blocked:
-                term.shadow.as_ref().is_none_or(|shadow| {
-                    shadow.crossings.iter().any(|crossing| is_opaque(scene, crossing.body))
-                }),
+            is_blocked: term
+                .shadow
+                .as_ref()
+                .is_none_or(|shadow| shadow.crossings.iter().any(|crossing| is_opaque(scene, crossing.body))),
             light: term.light,
-        }));
+        });
+        let lights = self.add_lights(lights);
         Some(PhongPoint {
             color: answer.color,
             ambient_light: answer.ambient_light,
@@ -134,10 +180,14 @@ impl LightTrees {
             specular: answer.specular_coefficient,
             shininess: answer.shininess,
             reflection: phong.reflection() as f32,
+            tint: DVec3::from(phong.tint.to_array()).as_vec3(),
             view: -Vec3::from(record.ray.direction),
+            way: record.distance().unwrap_or_default() as f32,
+            to_eye: (scene.camera.position - hit.position).as_vec3(),
             normal: hit.normal,
             wrong_normals: wrong_normals(scene, hit.body, hit.position, hit.normal),
-            lights: first..self.lights.len() as u32,
+            dark_side: DarkSide::Dark,
+            lights,
         })
     }
 
@@ -165,19 +215,27 @@ impl LightTrees {
         let nodes = self.tree(place);
         sums.clear();
         sums.resize(nodes.len(), Vec3::ZERO);
+        let primary = nodes.first().and_then(|node| node.surface.as_ref()).map(|point| point.view);
+        let stretch = law.primary_length(primary);
         for (index, node) in nodes.iter().enumerate().rev() {
-            if node.generation > law.generations || law.leaves_out(node.kind) {
+            let parent = nodes.get(node.parent as usize);
+            let sender = parent.and_then(|parent| parent.surface.as_ref());
+            let Some(coefficient) =
+                law.coefficient(node, sender.map(|sender| (sender, self.lights_of(sender))))
+            else {
                 continue;
-            }
-            let mut light = match &node.surface {
-                Some(point) => law.local(point, self.lights_of(point)),
-                None => node.fixed,
             };
-            light += sums.get(index).copied().unwrap_or_default();
-            if law.clamps_rays {
-                light = light.min(Vec3::ONE);
-            }
-            let light = if law.leaves_unweighed { node.unweighed } else { node.coefficient } * light;
+            let light = match law.instead_of(node) {
+                Some(light) => light,
+                None => {
+                    let own = match &node.surface {
+                        Some(point) => law.local(point, self.lights_of(point), stretch),
+                        None => node.fixed,
+                    };
+                    law.of_ray(own + sums.get(index).copied().unwrap_or_default())
+                }
+            };
+            let light = coefficient * light;
             match sums.get_mut(node.parent as usize) {
                 Some(sum) => *sum += light,
                 None => return light.to_array(),
@@ -232,163 +290,4 @@ fn wrong_normals(scene: &Scene, body: usize, position: DVec3, normal: Vec3) -> [
         let wrong = wrong.normalize_or(normal);
         (if wrong.dot(normal) < 0.0 { -wrong } else { wrong }).as_vec3()
     })
-}
-
-/// The law of light with its faults.
-pub(super) struct LightLaw<'a> {
-    generations: u32,
-    lights: Vec<&'a Light>,
-    no_ambient: bool,
-    uncolored_ambient: bool,
-    no_diffuse: bool,
-    highlight: Option<Fault>,
-    shadows: Option<Fault>,
-    mixing: Option<Fault>,
-    no_reflection: bool,
-    no_refraction: bool,
-    leaves_unweighed: bool,
-    clamps_rays: bool,
-    clamps_local: bool,
-    clamps_lamps: bool,
-    /// Which of the wrong normals counts.
-    wrong_normal: Option<usize>,
-    falloff: Option<Falloff>,
-    first_light_only: bool,
-    white_lights: bool,
-    full_lights: bool,
-    /// Whether no light shines but ambient light.
-    is_dark: bool,
-}
-
-impl<'a> LightLaw<'a> {
-    /// The law of a scene with these faults.
-    pub(super) fn new(scene: &'a Scene, faults: &FaultSet) -> Self {
-        let has = |fault| faults.has(fault);
-        let one_of = |several: &[Fault]| faults.iter().find(|fault| several.contains(fault));
-        Self {
-            generations: faults.generations(scene.tracing.generations),
-            lights: scene.lights.iter().filter(|light| !light.hidden).collect(),
-            no_ambient: has(Fault::NoAmbient),
-            uncolored_ambient: has(Fault::UncoloredAmbient),
-            no_diffuse: has(Fault::NoDiffuse),
-            highlight: one_of(&[
-                Fault::NoHighlight,
-                Fault::HighlightInShadow,
-                Fault::HalfwayHighlight,
-                Fault::ColoredHighlight,
-            ]),
-            shadows: if has(Fault::OpaqueBodies) {
-                one_of(&[Fault::NoShadows]).or(Some(Fault::OpaqueShadows))
-            } else {
-                one_of(&[Fault::NoShadows, Fault::OpaqueShadows, Fault::ClearShadows])
-            },
-            mixing: one_of(&[Fault::BlendedReflection, Fault::AddedReflection]),
-            no_reflection: has(Fault::NoReflection),
-            no_refraction: has(Fault::NoRefraction) || has(Fault::OpaqueBodies),
-            leaves_unweighed: has(Fault::UnweighedBodies),
-            clamps_rays: has(Fault::ClampedRays),
-            clamps_local: has(Fault::ClampedLocal),
-            clamps_lamps: has(Fault::ClampedLamps),
-            wrong_normal: one_of(&[Fault::ScaledNormals, Fault::UnscaledNormals])
-                .map(|fault| usize::from(fault == Fault::UnscaledNormals)),
-            falloff: one_of(&[Fault::NoFalloff, Fault::LinearFalloff, Fault::SquareFalloff]).map(|fault| {
-                match fault {
-                    Fault::NoFalloff => Falloff::None,
-                    Fault::LinearFalloff => Falloff::Linear { constant: 0.0 },
-                    _ => Falloff::InverseSquare,
-                }
-            }),
-            first_light_only: has(Fault::FirstLightOnly),
-            white_lights: has(Fault::WhiteLights),
-            full_lights: has(Fault::FullLights),
-            is_dark: false,
-        }
-    }
-
-    /// The law with all lights out but the ambient one: what a point has that wrongly lies in its own shadow.
-    pub(super) fn darkened(self) -> Self {
-        Self { is_dark: true, ..self }
-    }
-
-    fn leaves_out(&self, kind: RayKind) -> bool {
-        match kind {
-            RayKind::Primary => false,
-            RayKind::Reflected => self.no_reflection,
-            RayKind::Refracted => self.no_refraction,
-        }
-    }
-
-    /// The local light of a point.
-    fn local(&self, point: &PhongPoint, lights: &[LightSample]) -> Vec3 {
-        let ambient = match (self.no_ambient, self.uncolored_ambient) {
-            (true, _) => Vec3::ZERO,
-            (false, true) => point.ambient * point.ambient_light,
-            (false, false) => point.ambient * point.color * point.ambient_light,
-        };
-        let shining = lights.iter().filter(|sample| !self.first_light_only || sample.light == 0);
-        let shining = shining.filter(|_| !self.is_dark);
-        let mut light = ambient + shining.map(|sample| self.lamp(point, sample)).sum::<Vec3>();
-        match self.mixing {
-            Some(Fault::BlendedReflection) => light *= 1.0 - point.reflection.min(1.0),
-            Some(_) => light /= (1.0 - point.reflection).max(0.05),
-            None => {}
-        }
-        if self.clamps_local { light.min(Vec3::ONE) } else { light }
-    }
-
-    /// What a point sends on of a light.
-    fn lamp(&self, point: &PhongPoint, sample: &LightSample) -> Vec3 {
-        let normal = self
-            .wrong_normal
-            .and_then(|wrong| point.wrong_normals.get(wrong).copied())
-            .unwrap_or(point.normal);
-        let cosine = normal.dot(sample.direction);
-        let Some(light) = self.lights.get(sample.light).filter(|_| cosine > 0.0) else { return Vec3::ZERO };
-        let passed = match self.shadows {
-            Some(Fault::NoShadows) => Vec3::ONE,
-            // A point on the dark side lies in its body's own shadow.
-            _ if !sample.is_above => Vec3::ZERO,
-            Some(Fault::OpaqueShadows) if sample.passed.min_element() < 1.0 - 1e-4 => Vec3::ZERO,
-            Some(Fault::ClearShadows) if !sample.is_blocked => Vec3::ONE,
-            _ => sample.passed,
-        };
-        let diffuse = if self.no_diffuse { Vec3::ZERO } else { point.diffuse * cosine * point.color };
-        let highlight = self.highlight(point, sample, normal);
-        let highlight = match self.highlight {
-            Some(Fault::HighlightInShadow) => highlight,
-            _ => highlight * passed,
-        };
-        let light = self.power(light, sample.distance) * (diffuse * passed + highlight);
-        if self.clamps_lamps { light.min(Vec3::ONE) } else { light }
-    }
-
-    fn highlight(&self, point: &PhongPoint, sample: &LightSample, normal: Vec3) -> Vec3 {
-        if point.specular <= 0.0 || self.highlight == Some(Fault::NoHighlight) {
-            return Vec3::ZERO;
-        }
-        let cosine = match self.highlight {
-            Some(Fault::HalfwayHighlight) => (sample.direction + point.view).normalize_or_zero().dot(normal),
-            _ => {
-                let mirrored = 2.0 * normal.dot(sample.direction) * normal - sample.direction;
-                mirrored.dot(point.view)
-            }
-        };
-        let highlight = point.specular * cosine.max(0.0).powf(point.shininess);
-        match self.highlight {
-            Some(Fault::ColoredHighlight) => highlight * point.color,
-            _ => Vec3::splat(highlight),
-        }
-    }
-
-    /// What a light sends to a point at this distance.
-    fn power(&self, light: &Light, distance: f32) -> Vec3 {
-        let color = if self.white_lights { Vec3::ONE } else { DVec3::from(light.color.to_array()).as_vec3() };
-        let intensity = if self.full_lights { 1.0 } else { light.intensity as f32 };
-        let falloff = match self.falloff.unwrap_or(light.falloff) {
-            Falloff::None => 1.0,
-            Falloff::Linear { constant } => (distance + constant as f32).max(1e-6).recip(),
-            Falloff::InverseSquare => (distance * distance).max(1e-12).recip(),
-        };
-        intensity * falloff * color
-    }
 }

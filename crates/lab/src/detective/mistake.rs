@@ -1,110 +1,11 @@
 //! Mistakes that explain how a picture differs from the exact one.
 
-use catoptric_scene::{Anchor, Material, Scene, ShapeKind};
-use glam::DVec3;
-
 use super::codes::{CodeCurve, CodeStage};
 use super::faults::{Fault, FaultSet};
 use super::observed::Orientation;
 use super::places::{Offset, OffsetKind, Window};
-
-/// A change of the scene that a program makes by mistake.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum SceneMistake {
-    /// Rays go straight through clear bodies.
-    StraightRefraction,
-    /// The indices of refraction are exchanged.
-    InvertedRefraction,
-    /// Radii are twice as large: diameters are taken for them.
-    DoubledRadius,
-    /// Radii are half as large.
-    HalvedRadius,
-    /// Patterns and textures are left out.
-    NoPattern,
-    /// The middles of cylinders are taken for the centers of their bases.
-    CylindersUp,
-    /// The centers of the bases of cylinders are taken for their middles.
-    CylindersDown,
-    /// Apex and base of cones are exchanged.
-    TurnedCones,
-}
-
-impl SceneMistake {
-    pub(super) const ALL: [Self; 8] = [
-        Self::StraightRefraction,
-        Self::InvertedRefraction,
-        Self::DoubledRadius,
-        Self::HalvedRadius,
-        Self::NoPattern,
-        Self::CylindersUp,
-        Self::CylindersDown,
-        Self::TurnedCones,
-    ];
-
-    /// The scene with the mistake.
-    pub(super) fn applied(self, scene: &Scene) -> Scene {
-        let mut scene = scene.clone();
-        let radius = |factor: f64, scene: &mut Scene| {
-            for body in scene.bodies.iter_mut().filter(|body| body.shape.kind() != ShapeKind::Paraboloid) {
-                for key in ["radius", "top_radius"] {
-                    if let Some(own) = body.shape.number(key) {
-                        body.shape.set_number(key, own * factor);
-                    }
-                }
-            }
-        };
-        match self {
-            Self::DoubledRadius => radius(2.0, &mut scene),
-            Self::HalvedRadius => radius(0.5, &mut scene),
-            Self::StraightRefraction => each_material(&mut scene, |material| {
-                if let Some(ior) = material.ior_mut() {
-                    *ior = 1.0;
-                }
-            }),
-            Self::InvertedRefraction => each_material(&mut scene, |material| {
-                if let Some(ior) = material.ior_mut() {
-                    *ior = ior.max(1e-3).recip();
-                }
-            }),
-            Self::CylindersUp => move_cylinders(&mut scene, 0.5),
-            Self::CylindersDown => move_cylinders(&mut scene, -0.5),
-            Self::TurnedCones => {
-                for body in scene.bodies.iter_mut().filter(|body| body.shape.kind() == ShapeKind::Cone) {
-                    if let Anchor::Axis { base, top } = &mut body.placement.anchor {
-                        std::mem::swap(base, top);
-                    }
-                }
-            }
-            Self::NoPattern => each_material(&mut scene, |material| {
-                if let Some(pattern) = material.pattern_mut() {
-                    pattern.solid = None;
-                    pattern.texture = None;
-                }
-            }),
-        }
-        scene
-    }
-}
-
-/// Moves cylinders along their axes by a part of their height.
-fn move_cylinders(scene: &mut Scene, part: f64) {
-    for body in scene.bodies.iter_mut().filter(|body| body.shape.kind() == ShapeKind::Cylinder) {
-        let height = body.height().unwrap_or_default();
-        let axis = body.placement.world_from_body().transform_vector3(DVec3::Y * height);
-        body.placement = body.placement.moved_by(part * axis);
-    }
-}
-
-fn each_material(scene: &mut Scene, change: impl Fn(&mut Material)) {
-    scene.materials.iter_mut().for_each(|named| change(&mut named.material));
-    for body in &mut scene.bodies {
-        body.each_material_mut(&mut |choice| {
-            if let catoptric_scene::MaterialChoice::Inline(material) = choice {
-                change(material);
-            }
-        });
-    }
-}
+use super::ray_fault::{RayFault, RayFaults};
+use super::scene_mistake::{SceneMistake, SceneMistakes};
 
 /// A mistake of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -124,6 +25,8 @@ pub enum Mistake {
     Offset(Offset),
     /// The scene is another one.
     Scene(SceneMistake),
+    /// Rays go elsewhere, or meet something else.
+    Ray(RayFault),
     /// The light of rays is summed up in another way.
     Fault(Fault),
     /// Points of surfaces lie in their own shadow, one here, one there.
@@ -169,17 +72,12 @@ impl Mistake {
             Self::Window(Window::HalvedAngle | Window::HalvedAngleAcross) => "field-of-view-halved-twice",
             Self::Offset(offset) if offset.is_whole() => "one-pixel",
             Self::Offset(_) => "half-pixel",
-            Self::Scene(SceneMistake::StraightRefraction) => "refraction-without-bending",
-            Self::Scene(SceneMistake::InvertedRefraction) => "refraction-indices-exchanged",
-            Self::Scene(SceneMistake::DoubledRadius) => "diameter-taken-as-radius",
-            Self::Scene(SceneMistake::HalvedRadius) => "radius-taken-as-diameter",
-            Self::Scene(SceneMistake::NoPattern) => "no-pattern",
-            Self::Scene(SceneMistake::CylindersUp | SceneMistake::CylindersDown) => {
-                "middle-and-base-of-cylinders"
-            }
-            Self::Scene(SceneMistake::TurnedCones) => "apex-and-base-of-cones",
+            Self::Window(Window::Fitted { .. }) => "view-stretched-or-cropped",
+            Self::Scene(mistake) => mistake.key(),
+            Self::Ray(fault) => fault.key(),
             Self::Fault(fault) => fault.key(),
             Self::Acne => "acne",
+            Self::Curve { found, .. } if found.is_double() => "encoded-twice",
             Self::Curve { found: CodeCurve::Linear, .. } => "linear-instead-of-gamma",
             Self::Curve {
                 expected: CodeCurve::Linear,
@@ -207,7 +105,8 @@ pub(super) struct Explanation {
     pub(super) orientation: Orientation,
     pub(super) window: Window,
     pub(super) offset: Offset,
-    pub(super) scene: Option<SceneMistake>,
+    pub(super) scene: SceneMistakes,
+    pub(super) rays: RayFaults,
     pub(super) faults: FaultSet,
     pub(super) has_acne: bool,
     pub(super) stage: CodeStage,
@@ -220,7 +119,8 @@ impl Explanation {
             orientation: Orientation::Upright,
             window: Window::Right,
             offset: Offset::default(),
-            scene: None,
+            scene: SceneMistakes::default(),
+            rays: RayFaults::default(),
             faults: FaultSet::default(),
             has_acne: false,
             stage: CodeStage::plain(curve),
@@ -232,15 +132,21 @@ impl Explanation {
         usize::from(self.orientation != Orientation::Upright)
             + usize::from(self.window != Window::Right)
             + usize::from(self.offset != Offset::default())
-            + usize::from(self.scene.is_some())
+            + self.scene.iter().count()
+            + self.rays.iter().count()
             + self.faults.iter().count()
             + usize::from(self.has_acne)
     }
 
     /// Whether another explanation has the same rays and sums of light.
     pub(super) fn is_like(&self, other: &Self) -> bool {
-        let place = |own: &Self| (own.orientation, own.window, own.offset, own.scene, own.has_acne);
-        place(self) == place(other) && self.faults == other.faults
+        self.has_rays_of(other) && self.faults == other.faults && self.has_acne == other.has_acne
+    }
+
+    /// Whether another explanation has the same rays.
+    pub(super) fn has_rays_of(&self, other: &Self) -> bool {
+        let place = |own: &Self| (own.orientation, own.window, own.offset);
+        place(self) == place(other) && self.scene == other.scene && self.rays == other.rays
     }
 
     /// The mistakes, those of the place first.
@@ -265,7 +171,8 @@ impl Explanation {
         all.extend(stage.is_clamped_first.then_some(Mistake::ClampedFirst));
         all.extend(stage.overflows.then_some(Mistake::Overflow));
         all.extend(stage.is_blue_first.then_some(Mistake::BlueFirst));
-        all.extend(self.scene.map(Mistake::Scene));
+        all.extend(self.scene.iter().map(Mistake::Scene));
+        all.extend(self.rays.iter().map(Mistake::Ray));
         all.extend(self.faults.iter().map(Mistake::Fault));
         all.extend(self.has_acne.then_some(Mistake::Acne));
         all
@@ -283,8 +190,11 @@ impl Explanation {
         if self.offset != Offset::default() {
             all.push(Self { offset: Offset::default(), ..self.clone() });
         }
-        if self.scene.is_some() {
-            all.push(Self { scene: None, ..self.clone() });
+        for mistake in self.scene.iter() {
+            all.push(Self { scene: self.scene.without(mistake), ..self.clone() });
+        }
+        for fault in self.rays.iter() {
+            all.push(Self { rays: self.rays.without(fault), ..self.clone() });
         }
         for fault in self.faults.iter() {
             all.push(Self { faults: self.faults.without(fault), ..self.clone() });

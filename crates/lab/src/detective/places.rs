@@ -27,6 +27,13 @@ pub enum Window {
     HalvedAngle,
     /// The tangent of a quarter of the horizontal angle.
     HalvedAngleAcross,
+    /// Another part of the view, by numbers.
+    Fitted {
+        /// Width and height, thousandths of what they should be.
+        scale: [i16; 2],
+        /// How far the middle lies to the right and below, thousandths of half a picture.
+        shift: [i16; 2],
+    },
 }
 
 impl Window {
@@ -42,9 +49,68 @@ impl Window {
         Self::HalvedAngleAcross,
     ];
 
-    /// How many times as wide and high as it should be the window is; `None` where the mistake cannot be, or would show
-    /// nothing.
-    pub(super) fn scale(self, scene: &Scene, size: [u32; 2], expected: Option<[u32; 2]>) -> Option<DVec2> {
+    /// The windows from which the search for others begins.
+    pub(super) fn first_fitted(size: [u32; 2]) -> Vec<Self> {
+        let aspect = f64::from(size[0]) / f64::from(size[1].max(1));
+        let mut all = Vec::new();
+        let mut add = |scale: [f64; 2], shift: [f64; 2]| {
+            let [scale, shift] = [scale, shift].map(|pair| pair.map(|part| (1000.0 * part).round() as i16));
+            all.push(Self::Fitted { scale, shift });
+        };
+        for other in [4.0 / 3.0, 1.5, 1.6, 16.0 / 9.0, 2.0] {
+            if (other - aspect).abs() > 0.01 {
+                add([other / aspect, 1.0], [0.0; 2]);
+                add([1.0, aspect / other], [0.0; 2]);
+            }
+        }
+        for part in [0.5, 0.75, 0.9, 1.1, 1.25, 1.5] {
+            add([part; 2], [0.0; 2]);
+            add([part, 1.0], [0.0; 2]);
+            add([1.0, part], [0.0; 2]);
+        }
+        for part in [0.5, 0.75, 0.9] {
+            let corner = 1.0 - part;
+            for (x, y) in [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)] {
+                add([part; 2], [x * corner, y * corner]);
+            }
+        }
+        all
+    }
+
+    /// Fitted windows whose numbers are near its own.
+    pub(super) fn neighbors(self, step: i16) -> Vec<Self> {
+        let Self::Fitted { scale, shift } = self else { return Vec::new() };
+        let moved =
+            |pair: [i16; 2], way: [i16; 2]| [pair[0].saturating_add(way[0]), pair[1].saturating_add(way[1])];
+        let ways = [[step, 0], [-step, 0], [0, step], [0, -step], [step, step], [-step, -step]];
+        let scales =
+            ways.map(|way| Self::Fitted { scale: moved(scale, way).map(|part| part.max(20)), shift });
+        let shifts = ways.map(|way| Self::Fitted { scale, shift: moved(shift, way) });
+        // Cut at one side, that side moves alone.
+        let sides = ways.map(|way| Self::Fitted {
+            scale: moved(scale, way).map(|part| part.max(20)),
+            shift: moved(shift, way),
+        });
+        scales.into_iter().chain(shifts).chain(sides).collect()
+    }
+
+    /// How many times as wide and high as it should be the window is, and how far its middle is moved, in halves of it;
+    /// `None` where the mistake cannot be, or would show nothing.
+    pub(super) fn placed(
+        self,
+        scene: &Scene,
+        size: [u32; 2],
+        expected: Option<[u32; 2]>,
+    ) -> Option<[DVec2; 2]> {
+        match self {
+            Self::Fitted { scale, shift } => {
+                Some([scale, shift].map(|[x, y]| DVec2::new(f64::from(x), f64::from(y)) / 1000.0))
+            }
+            _ => self.scale(scene, size, expected).map(|scale| [scale, DVec2::ZERO]),
+        }
+    }
+
+    fn scale(self, scene: &Scene, size: [u32; 2], expected: Option<[u32; 2]>) -> Option<DVec2> {
         let aspect_of = |[width, height]: [u32; 2]| f64::from(width) / f64::from(height.max(1));
         let aspect = aspect_of(size);
         let half = match scene.camera.projection {
@@ -57,7 +123,7 @@ impl Window {
             (wrong < 1.5).then(|| DVec2::splat(wrong.tan() / half.tan()))
         };
         let scale = match self {
-            Self::Right => DVec2::ONE,
+            Self::Right | Self::Fitted { .. } => DVec2::ONE,
             Self::AngleForHeight => half.map(|_| DVec2::splat(aspect))?,
             Self::AngleForWidth => half.map(|_| DVec2::splat(aspect.recip()))?,
             Self::SquareByHeight => DVec2::new(aspect.recip(), 1.0),

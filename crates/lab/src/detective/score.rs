@@ -6,9 +6,11 @@ use super::places::PixelChoice;
 use super::trials::PixelLight;
 
 /// The chosen pixels of the picture, put upright.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct UprightPixels {
     pub(super) values: Vec<[f32; 3]>,
+    /// For how many pixels each stands; 1 where there is none.
+    weights: Vec<f32>,
     /// Some of the pixels, by which the last step is found.
     probes: Vec<usize>,
     /// The light of the probes by each curve.
@@ -30,10 +32,22 @@ impl UprightPixels {
 
     pub(super) fn new(picture: &ObservedPicture, orientation: Orientation, choice: &PixelChoice) -> Self {
         let stored = |pixel: &[u32; 2]| orientation.stored(*pixel, picture.size());
-        let values: Vec<[f32; 3]> = choice.pixels.iter().map(|pixel| picture.value(stored(pixel))).collect();
+        Self::of_values(choice.pixels.iter().map(|pixel| picture.value(stored(pixel))).collect(), Vec::new())
+    }
+
+    /// Some of the pixels, by their places, and for how many each stands.
+    pub(super) fn part(&self, places: &[usize], weights: Vec<f32>) -> Self {
+        let value = |place: &usize| self.values.get(*place).copied().unwrap_or_default();
+        Self::of_values(places.iter().map(value).collect(), weights)
+    }
+
+    fn of_values(values: Vec<[f32; 3]>, weights: Vec<f32>) -> Self {
         let count = values.len().min(Self::PROBES);
         // Multiples of the golden ratio spread evenly over all pixels.
         let place = |index: usize| {
+            if count == values.len() {
+                return index;
+            }
             let part = (index as f64 * 0.618_033_988_749_894_9).fract();
             ((part * values.len() as f64) as usize).min(values.len().saturating_sub(1))
         };
@@ -43,7 +57,11 @@ impl UprightPixels {
             values.map(|value| value.map(|code| curve.light(code))).collect()
         };
         let light_of_probes = CodeCurve::ALL.map(light).into();
-        Self { values, probes, light_of_probes }
+        Self { values, weights, probes, light_of_probes }
+    }
+
+    fn weight(&self, place: usize) -> f64 {
+        self.weights.get(place).map_or(1.0, |weight| f64::from(*weight))
     }
 
     /// The factor by which most of the probes differ from the light of a curve; 1 where there is none.
@@ -129,14 +147,21 @@ impl Judge {
         pixels: &UprightPixels,
         lights: &[PixelLight],
         stage: &CodeStage,
-        places: impl ExactSizeIterator<Item = usize>,
+        places: impl Iterator<Item = usize>,
     ) -> f64 {
-        let count = places.len().max(1) as f64;
-        let loss = |place: usize| {
+        let (mut sum, mut count) = (0.0, 0.0);
+        for place in places {
             let observed = pixels.values.get(place).copied().unwrap_or_default();
-            self.loss_of(Self::distance(observed, Self::code(stage, lights, place)))
-        };
-        places.map(loss).sum::<f64>() / count
+            let weight = pixels.weight(place);
+            sum += weight * self.loss_at(observed, Self::code(stage, lights, place));
+            count += weight;
+        }
+        if count > 0.0 { sum / count } else { 0.0 }
+    }
+
+    /// The loss of a pixel by its codes and those of an explanation.
+    pub(super) fn loss_at(&self, observed: [f32; 3], code: [f32; 3]) -> f64 {
+        self.loss_of(Self::distance(observed, code))
     }
 
     /// The loss where each place may lie in the shadow of its own body, if that is so one here, one there; `None` if it
@@ -218,6 +243,12 @@ impl Judge {
             .collect();
         rough.sort_by(|one, other| one.0.total_cmp(&other.0));
         rough.dedup_by(|one, other| one.1 == other.1);
+        if pixels.probes.len() == pixels.values.len() {
+            // All pixels were probes.
+            let best =
+                rough.first().map(|(total, stage)| Score { loss: total - price(stage), stage: *stage });
+            return best.unwrap_or(Score { loss: 1.0, stage: *near });
+        }
         let tried = if is_free { 4 } else { 2 };
         let exact = rough
             .into_iter()

@@ -5,7 +5,8 @@ use glam::Vec3;
 use super::DetectiveError;
 use super::codes::CodeStage;
 use super::faults::{Fault, FaultSet};
-use super::light_tree::{LightLaw, LightTrees};
+use super::light_law::LightLaw;
+use super::light_tree::LightTrees;
 use super::mistake::Explanation;
 use super::remainder::DifferenceKind;
 use super::score::Judge;
@@ -64,7 +65,7 @@ impl<'a> TermLaws<'a> {
     const LEAST_LIGHT: f32 = 0.5 / 255.0;
 
     pub(super) fn new(trials: &'a Trials<'_>, explanation: &Explanation) -> Result<Self, DetectiveError> {
-        let scene = trials.changed_scene(explanation.scene)?;
+        let scene = trials.scene();
         let law = |faults: &FaultSet| LightLaw::new(scene, faults);
         let with = |fault| explanation.faults.with(fault).map(|faults| law(&faults));
         let others = [

@@ -1,8 +1,9 @@
 //! Light of the scene by rays and sums that may be wrong, kept as long as there is room.
 
 use std::collections::HashMap;
+use std::fmt;
 use std::hash::Hash;
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use catoptric_picture::Picture;
 use catoptric_scene::Scene;
@@ -14,25 +15,30 @@ use rayon::prelude::*;
 
 use super::DetectiveError;
 use super::faults::FaultSet;
-use super::light_tree::{LightLaw, LightTrees};
-use super::mistake::{Explanation, SceneMistake};
+use super::light_law::LightLaw;
+use super::light_tree::LightTrees;
+use super::mistake::Explanation;
 use super::places::{Offset, PixelChoice, Window};
+use super::ray_fault::RayFaults;
+use super::scene_mistake::SceneMistakes;
+use super::trial_tracer::{TrialFacts, TrialLimits, TrialTracer};
 
 /// The rays of a picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 struct RayKey {
     size: [u32; 2],
     /// How many pixels are chosen: of one size and count, always the same ones.
     count: usize,
     window: Window,
     offset: Offset,
-    scene: Option<SceneMistake>,
+    scene: SceneMistakes,
+    rays: RayFaults,
 }
 
 impl RayKey {
     fn new(choice: &PixelChoice, explanation: &Explanation, offset: Offset) -> Self {
-        let Explanation { window, scene, .. } = *explanation;
-        Self { size: choice.size, count: choice.pixels.len(), window, offset, scene }
+        let Explanation { window, scene, rays, .. } = explanation.clone();
+        Self { size: choice.size, count: choice.pixels.len(), window, offset, scene, rays }
     }
 }
 
@@ -47,22 +53,34 @@ struct LightKey {
 /// The light of the chosen pixels.
 pub(super) type PixelLight = Arc<Vec<[f32; 3]>>;
 
+/// A scene with mistakes, prepared.
+type ChangedScene = Arc<(Scene, RenderScene)>;
+
 /// The scenes with and without mistakes, and the light that they gave so far.
-#[derive(Debug)]
 pub(super) struct Trials<'a> {
     scene: &'a Scene,
     expected_size: Option<[u32; 2]>,
     prepared: RenderScene,
-    changed: [OnceLock<(Scene, RenderScene)>; SceneMistake::ALL.len()],
+    /// What the trial tracer could be asked for, if it can trace the scene.
+    facts: Option<TrialFacts>,
+    changed: Mutex<Shelf<SceneMistakes, ChangedScene>>,
     trees: Mutex<Shelf<RayKey, Arc<LightTrees>>>,
     lights: Mutex<Shelf<LightKey, PixelLight>>,
 }
 
+impl fmt::Debug for Trials<'_> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.debug_struct("Trials").field("expected_size", &self.expected_size).finish_non_exhaustive()
+    }
+}
+
 impl<'a> Trials<'a> {
     /// Sets of trees that are kept: a few megabytes each.
-    const MOST_TREES: usize = 12;
+    const MOST_TREES: usize = 16;
     /// Sums of light that are kept: some fifty kilobytes each.
     const MOST_LIGHTS: usize = 2000;
+    /// Prepared scenes that are kept.
+    const MOST_SCENES: usize = 16;
     /// Rays of a tree that are followed.
     const MOST_RAYS: usize = 256;
     /// Generations beyond those of the scene that are followed.
@@ -75,7 +93,8 @@ impl<'a> Trials<'a> {
             scene,
             expected_size,
             prepared: RenderScene::build(scene)?,
-            changed: Default::default(),
+            facts: TrialFacts::of(scene),
+            changed: Mutex::new(Shelf::new(Self::MOST_SCENES)),
             trees: Mutex::new(Shelf::new(Self::MOST_TREES)),
             lights: Mutex::new(Shelf::new(Self::MOST_LIGHTS)),
         })
@@ -85,9 +104,14 @@ impl<'a> Trials<'a> {
         self.scene
     }
 
+    /// What faults of rays the scene can show; `None` if they cannot be tried.
+    pub(super) fn facts(&self) -> Option<&TrialFacts> {
+        self.facts.as_ref()
+    }
+
     /// Whether the mistake of the window can be in a picture of this size.
     pub(super) fn has_window(&self, window: Window, size: [u32; 2]) -> bool {
-        window.scale(self.scene, size, self.expected_size).is_some()
+        window.placed(self.scene, size, self.expected_size).is_some()
     }
 
     /// The light of the chosen pixels, one picture for each ray of a pixel.
@@ -115,9 +139,8 @@ impl<'a> Trials<'a> {
         if let Some(light) = locked(&self.lights, |lights| lights.get(&key)) {
             return Ok(light);
         }
-        let trees = self.trees_of(choice, rays, control)?;
-        let (scene, _) = self.scene_with(rays.scene)?;
-        let law = LightLaw::new(scene, &key.faults);
+        let trees = self.trees_of(choice, key.rays.clone(), control)?;
+        let law = LightLaw::new(self.scene, &key.faults);
         let law = if is_dark { law.darkened() } else { law };
         let light: Vec<[f32; 3]> = (0..trees.len())
             .into_par_iter()
@@ -128,6 +151,33 @@ impl<'a> Trials<'a> {
         Ok(light)
     }
 
+    /// The light of some of the chosen pixels, by their places, one picture for each ray of a pixel. The rays are those
+    /// that are kept if there are such; others are traced for these pixels alone.
+    pub(super) fn lights_at(
+        &self,
+        choice: &PixelChoice,
+        places: &[usize],
+        explanation: &Explanation,
+        control: &RenderControl,
+    ) -> Result<Vec<PixelLight>, DetectiveError> {
+        let law = LightLaw::new(self.scene, &explanation.faults);
+        let mut sums = Vec::new();
+        let rays = explanation.offset.rays().into_iter();
+        rays.map(|offset| {
+            let key = RayKey::new(choice, explanation, offset);
+            if let Some(trees) = locked(&self.trees, |trees| trees.get(&key)) {
+                return Ok(Arc::new(
+                    places.iter().map(|place| trees.light(*place, &law, &mut sums)).collect(),
+                ));
+            }
+            let pixels = places.iter().filter_map(|place| choice.pixels.get(*place).copied()).collect();
+            let part = PixelChoice { size: choice.size, pixels, pairs: Vec::new() };
+            let trees = self.traced(&part, (&key, DVec2::ZERO), control)?;
+            Ok(Arc::new((0..trees.len()).map(|place| trees.light(place, &law, &mut sums)).collect()))
+        })
+        .collect()
+    }
+
     /// The trees of the chosen pixels with the rays of an explanation, which are not kept.
     pub(super) fn traced_once(
         &self,
@@ -136,7 +186,7 @@ impl<'a> Trials<'a> {
         offset: Offset,
         control: &RenderControl,
     ) -> Result<LightTrees, DetectiveError> {
-        self.traced(choice, (RayKey::new(choice, explanation, offset), DVec2::ZERO), control)
+        self.traced(choice, (&RayKey::new(choice, explanation, offset), DVec2::ZERO), control)
     }
 
     /// The trees of rays beside those of the offset, which are not kept.
@@ -147,7 +197,7 @@ impl<'a> Trials<'a> {
         (offset, beside): (Offset, DVec2),
         control: &RenderControl,
     ) -> Result<LightTrees, DetectiveError> {
-        self.traced(choice, (RayKey::new(choice, explanation, offset), beside), control)
+        self.traced(choice, (&RayKey::new(choice, explanation, offset), beside), control)
     }
 
     /// The exact picture.
@@ -164,11 +214,6 @@ impl<'a> Trials<'a> {
         }
     }
 
-    /// The scene with or without a mistake.
-    pub(super) fn changed_scene(&self, mistake: Option<SceneMistake>) -> Result<&Scene, DetectiveError> {
-        self.scene_with(mistake).map(|(scene, _)| scene)
-    }
-
     fn trees_of(
         &self,
         choice: &PixelChoice,
@@ -178,7 +223,7 @@ impl<'a> Trials<'a> {
         if let Some(trees) = locked(&self.trees, |trees| trees.get(&key)) {
             return Ok(trees);
         }
-        let trees = Arc::new(self.traced(choice, (key, DVec2::ZERO), control)?);
+        let trees = Arc::new(self.traced(choice, (&key, DVec2::ZERO), control)?);
         locked(&self.trees, |shelf| shelf.put(key, Arc::clone(&trees)));
         Ok(trees)
     }
@@ -186,28 +231,45 @@ impl<'a> Trials<'a> {
     fn traced(
         &self,
         choice: &PixelChoice,
-        (key, beside): (RayKey, DVec2),
+        (key, beside): (&RayKey, DVec2),
         control: &RenderControl,
     ) -> Result<LightTrees, DetectiveError> {
-        let (scene, prepared) = self.scene_with(key.scene)?;
         let [width, height] = choice.size.map(f64::from);
         let size = DVec2::new(width, height);
-        let scale = key.window.scale(self.scene, choice.size, self.expected_size).unwrap_or(DVec2::ONE);
-        let generations = scene.tracing.generations.saturating_add(Self::MORE_GENERATIONS);
-        let threshold = prepared.threshold().max(Self::LEAST_WEIGHT);
-        let part = |pixels: &[[u32; 2]]| {
-            let camera = prepared.camera();
-            let mut integrator =
-                WhittedIntegrator::watched(prepared, camera, control).with_limits(generations, threshold);
-            let mut trees = LightTrees::default();
-            for pixel in pixels {
-                let at = 0.5 * size + (key.offset.at(*pixel, choice.size) + beside - 0.5 * size) * scale;
-                trees.push(scene, &integrator.tree(camera.ray(at, size), Self::MOST_RAYS));
-            }
-            control.add_pixels(pixels.len() as u64);
-            trees
+        let placed = key.window.placed(self.scene, choice.size, self.expected_size);
+        let [scale, shift] = placed.unwrap_or([DVec2::ONE, DVec2::ZERO]);
+        let at = |pixel: [u32; 2]| {
+            let middle = 0.5 * size;
+            middle + (key.offset.at(pixel, choice.size) + beside - middle) * scale + shift * middle
         };
-        let parts: Vec<LightTrees> = choice.pixels.par_chunks(256).map(part).collect();
+        let parts: Vec<LightTrees> = if key.scene.is_empty() && key.rays.is_empty() {
+            exact_parts(self.scene, &self.prepared, (choice, size), at, control)
+        } else if self.facts.is_some() {
+            let scene = key.scene.applied(self.scene);
+            match TrialTracer::new(&scene, &key.rays) {
+                Some(tracer) => {
+                    let limits = TrialLimits {
+                        generations: scene.tracing.generations.saturating_add(Self::MORE_GENERATIONS),
+                        rays: Self::MOST_RAYS,
+                        weight: self.prepared.threshold().max(Self::LEAST_WEIGHT),
+                    };
+                    let part = |pixels: &[[u32; 2]]| {
+                        let mut trees = LightTrees::default();
+                        for pixel in pixels {
+                            if !control.is_cancelled() {
+                                tracer.trace(at(*pixel), size, limits, &mut trees);
+                            }
+                        }
+                        trees
+                    };
+                    choice.pixels.par_chunks(256).map(part).collect()
+                }
+                None => self.changed_parts(&key.scene, (choice, size), at, control)?,
+            }
+        } else {
+            self.changed_parts(&key.scene, (choice, size), at, control)?
+        };
+        control.add_pixels(choice.pixels.len() as u64);
         if control.is_cancelled() {
             return Err(DetectiveError::Cancelled);
         }
@@ -216,19 +278,53 @@ impl<'a> Trials<'a> {
         Ok(trees)
     }
 
-    fn scene_with(&self, mistake: Option<SceneMistake>) -> Result<(&Scene, &RenderScene), DetectiveError> {
-        let Some(mistake) = mistake else { return Ok((self.scene, &self.prepared)) };
-        let Some(place) = self.changed.get(mistake as usize) else { return Ok((self.scene, &self.prepared)) };
-        if place.get().is_none() {
-            let scene = mistake.applied(self.scene);
-            let prepared = RenderScene::build(&scene)?;
-            // Another thread may have been quicker; its scene is the same.
-            drop(place.set((scene, prepared)));
+    /// The trees of a scene with mistakes by the exact tracer.
+    fn changed_parts(
+        &self,
+        mistakes: &SceneMistakes,
+        choice: (&PixelChoice, DVec2),
+        at: impl Fn([u32; 2]) -> DVec2 + Sync,
+        control: &RenderControl,
+    ) -> Result<Vec<LightTrees>, DetectiveError> {
+        let changed = self.changed(mistakes)?;
+        let (scene, prepared) = &*changed;
+        Ok(exact_parts(scene, prepared, choice, at, control))
+    }
+
+    fn changed(&self, mistakes: &SceneMistakes) -> Result<ChangedScene, DetectiveError> {
+        if let Some(changed) = locked(&self.changed, |changed| changed.get(mistakes)) {
+            return Ok(changed);
         }
-        Ok(place.get().map_or((self.scene, &self.prepared), |(scene, prepared)| (scene, prepared)))
+        let scene = mistakes.applied(self.scene);
+        let prepared = RenderScene::build(&scene)?;
+        let changed = Arc::new((scene, prepared));
+        locked(&self.changed, |shelf| shelf.put(mistakes.clone(), Arc::clone(&changed)));
+        Ok(changed)
     }
 }
 
+/// The trees of a scene by the exact tracer.
+fn exact_parts(
+    scene: &Scene,
+    prepared: &RenderScene,
+    (choice, size): (&PixelChoice, DVec2),
+    at: impl Fn([u32; 2]) -> DVec2 + Sync,
+    control: &RenderControl,
+) -> Vec<LightTrees> {
+    let generations = scene.tracing.generations.saturating_add(Trials::MORE_GENERATIONS);
+    let threshold = prepared.threshold().max(Trials::LEAST_WEIGHT);
+    let part = |pixels: &[[u32; 2]]| {
+        let camera = prepared.camera();
+        let mut integrator =
+            WhittedIntegrator::watched(prepared, camera, control).with_limits(generations, threshold);
+        let mut trees = LightTrees::default();
+        for pixel in pixels {
+            trees.push(scene, &integrator.tree(camera.ray(at(*pixel), size), Trials::MOST_RAYS));
+        }
+        trees
+    };
+    choice.pixels.par_chunks(256).map(part).collect()
+}
 /// Results that are kept; when there are too many, the older half goes.
 #[derive(Debug)]
 struct Shelf<K, V> {

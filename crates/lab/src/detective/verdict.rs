@@ -5,10 +5,11 @@ use serde_json::{Value, json};
 
 use super::codes::CodeCurve;
 use super::faults::Fault;
-use super::mistake::{Mistake, SceneMistake};
+use super::mistake::Mistake;
 use super::observed::Orientation;
 use super::places::{OffsetKind, Window};
 use super::remainder::{Cluster, DifferenceKind};
+use super::scene_words::scene_in_words;
 use super::simplest::SimplestDifference;
 use crate::report::Language;
 
@@ -295,8 +296,18 @@ pub(super) fn in_words(mistake: &Mistake, language: Language) -> String {
             "the picture is half a pixel off: rays go through the corners of pixels instead of their middles",
             "изображение смещено на полпикселя: лучи идут через углы пикселей, а не через середины",
         ],
-        Mistake::Scene(mistake) => scene_in_words(*mistake),
-        Mistake::Fault(fault) => fault_in_words(*fault),
+        Mistake::Scene(mistake) => return scene_in_words(*mistake, language),
+        Mistake::Ray(fault) => fault.words(),
+        Mistake::Fault(Fault::Exponent(factor)) => {
+            let factor = language.fixed(f64::from(factor.value()), 2);
+            return match language {
+                Language::English => {
+                    format!("exponents of specular highlights are {factor} times as large")
+                }
+                Language::Russian => format!("показатели бликов в {factor} раза больше"),
+            };
+        }
+        Mistake::Fault(fault) => fault.words(),
         Mistake::Acne => [
             "surfaces shadow themselves in speckles (acne): shadow rays need an offset",
             "поверхности пятнами затеняют сами себя («акне»): теневым лучам нужен отступ",
@@ -315,7 +326,8 @@ pub(super) fn in_words(mistake: &Mistake, language: Language) -> String {
     language.choose(words[0], words[1]).to_owned()
 }
 
-type Words = [&'static str; 2];
+/// Words in English and in Russian.
+pub(super) type Words = [&'static str; 2];
 
 fn orientation_in_words(orientation: Orientation) -> Words {
     match orientation {
@@ -358,6 +370,10 @@ fn window_in_words(window: Window) -> Words {
         Window::Stretched => {
             ["the picture is stretched from the expected size", "изображение растянуто из ожидаемого размера"]
         }
+        Window::Fitted { .. } => [
+            "the picture shows another part of the view: it is stretched, enlarged or cropped",
+            "изображение показывает другую часть вида: растянуто, увеличено или обрезано",
+        ],
         Window::WholeAngle | Window::WholeAngleAcross => [
             "the field of view is not halved before its tangent is taken",
             "угол обзора не разделён пополам перед тангенсом",
@@ -369,41 +385,24 @@ fn window_in_words(window: Window) -> Words {
     }
 }
 
-fn scene_in_words(mistake: SceneMistake) -> Words {
-    match mistake {
-        SceneMistake::StraightRefraction => [
-            "no refraction: rays go straight through clear bodies",
-            "нет преломления: лучи идут сквозь прозрачные тела прямо",
-        ],
-        SceneMistake::InvertedRefraction => [
-            "the indices of refraction are exchanged (η₁/η₂ for η₂/η₁)",
-            "показатели преломления переставлены (η₁/η₂ вместо η₂/η₁)",
-        ],
-        SceneMistake::DoubledRadius => [
-            "diameters are taken as radii: bodies are twice as large",
-            "диаметры взяты как радиусы: тела вдвое больше",
-        ],
-        SceneMistake::HalvedRadius => [
-            "radii are taken as diameters: bodies are half as large",
-            "радиусы взяты как диаметры: тела вдвое меньше",
-        ],
-        SceneMistake::NoPattern => ["patterns are missing", "нет узоров"],
-        SceneMistake::CylindersUp => [
-            "the middle of a cylinder is taken for the center of its base",
-            "середина цилиндра принята за центр основания",
-        ],
-        SceneMistake::CylindersDown => [
-            "the center of the base of a cylinder is taken for its middle",
-            "центр основания цилиндра принят за середину",
-        ],
-        SceneMistake::TurnedCones => {
-            ["apex and base of cones are exchanged", "у конусов переставлены вершина и основание"]
-        }
-    }
-}
-
 fn curve_in_words(expected: CodeCurve, found: CodeCurve) -> Words {
     match (expected, found) {
+        (_, CodeCurve::GammaTwice) => [
+            "light is encoded twice: by a gamma of 2.2 and again",
+            "свет закодирован дважды: гаммой 2,2 и ещё раз",
+        ],
+        (_, CodeCurve::SrgbTwice) => [
+            "light is encoded twice: by the sRGB curve and again",
+            "свет закодирован дважды: кривой sRGB и ещё раз",
+        ],
+        (_, CodeCurve::SrgbThenGamma | CodeCurve::GammaThenSrgb) => [
+            "light is encoded twice: by the sRGB curve and by a gamma of 2.2",
+            "свет закодирован дважды: кривой sRGB и гаммой 2,2",
+        ],
+        (_, CodeCurve::Decoded) => [
+            "the sRGB curve goes the wrong way: light is decoded instead of encoded",
+            "кривая sRGB не в ту сторону: свет декодирован, а не закодирован",
+        ],
         (_, CodeCurve::Linear) => {
             ["codes are linear, without the sRGB curve (gamma)", "коды линейны, без кривой sRGB (гаммы)"]
         }
@@ -429,75 +428,5 @@ fn curve_in_words(expected: CodeCurve, found: CodeCurve) -> Words {
         (_, CodeCurve::Reinhard) => {
             ["light is tone-mapped by x / (1 + x)", "свет сжат тональной кривой x / (1 + x)"]
         }
-    }
-}
-
-fn fault_in_words(fault: Fault) -> Words {
-    match fault {
-        Fault::NoShadows => ["no shadows", "нет теней"],
-        Fault::OpaqueShadows => ["clear bodies throw full shadows", "прозрачные тела бросают полные тени"],
-        Fault::UnweighedBodies => [
-            "reflection and refraction are not weighed by Schlick's formula",
-            "отражение и преломление не взвешены по формуле Шлика",
-        ],
-        Fault::ClearShadows => ["clear bodies throw no shadows", "прозрачные тела не бросают теней"],
-        Fault::NoHighlight => ["no specular highlights", "нет бликов"],
-        Fault::HighlightInShadow => ["specular highlights are seen in shadows, too", "блики видны и в тени"],
-        Fault::HalfwayHighlight => [
-            "specular highlights by the halfway vector (Blinn) instead of the reflected one (Phong)",
-            "блики по серединному вектору (Блинн), а не по отражённому (Фонг)",
-        ],
-        Fault::ColoredHighlight => {
-            ["specular highlights have the color of the body", "блики имеют цвет тела"]
-        }
-        Fault::NoReflection => ["no reflections", "нет отражений"],
-        Fault::BlendedReflection => [
-            "reflections are blended with the body's own light instead of added",
-            "отражение смешано с собственным светом тела, а не прибавлено",
-        ],
-        Fault::AddedReflection => [
-            "reflections are added to the body's own light instead of blended",
-            "отражение прибавлено к собственному свету тела, а не смешано",
-        ],
-        Fault::NoRefraction => [
-            "no refraction: nothing is seen through clear bodies",
-            "нет преломления: сквозь прозрачные тела ничего не видно",
-        ],
-        Fault::OpaqueBodies => [
-            "no refraction: clear bodies are opaque, and throw full shadows",
-            "нет преломления: прозрачные тела непрозрачны и бросают полные тени",
-        ],
-        Fault::Generations(_) => ["rays are followed too few times (depth)", "глубина слишком мала"],
-        Fault::MoreGenerations => [
-            "rays are followed for more generations than the scene asks for (depth)",
-            "лучи прослежены на больше поколений, чем задано (глубина)",
-        ],
-        Fault::NoAmbient => ["no ambient light", "нет фонового света"],
-        Fault::UncoloredAmbient => {
-            ["ambient light has not the color of the body", "фоновый свет не имеет цвета тела"]
-        }
-        Fault::NoDiffuse => ["no diffuse light", "нет рассеянного света"],
-        Fault::ClampedLocal => [
-            "light is clamped early: that of a surface before reflections are added",
-            "свет обрезан рано: у поверхности, прежде чем прибавлены отражения",
-        ],
-        Fault::ClampedRays => [
-            "light is clamped early: that of each ray before it is weighted",
-            "свет обрезан рано: у каждого луча, прежде чем взвешен",
-        ],
-        Fault::ClampedLamps => [
-            "light is clamped early: that of each lamp before they are added",
-            "свет обрезан рано: у каждой лампы, прежде чем сложен",
-        ],
-        Fault::ScaledNormals | Fault::UnscaledNormals => [
-            "normals of scaled bodies are wrong: they need the inverse transpose",
-            "нормали масштабированных тел неверны: нужна обратная транспонированная матрица",
-        ],
-        Fault::NoFalloff => ["light does not fall off with distance", "свет не слабеет с расстоянием"],
-        Fault::LinearFalloff => ["light falls off with 1/d", "свет слабеет как 1/d"],
-        Fault::SquareFalloff => ["light falls off with 1/d²", "свет слабеет как 1/d²"],
-        Fault::FirstLightOnly => ["only the first light shines", "светит лишь первый источник"],
-        Fault::WhiteLights => ["the color of lights is left out", "не учтён цвет источников"],
-        Fault::FullLights => ["the brightness of lights is left out", "не учтена яркость источников"],
     }
 }

@@ -119,10 +119,7 @@ impl<'a> IndependentTracer<'a> {
         if !(self.has(Slip::DullShadows) && is_shadowed) {
             light += self.sent_on(&meeting, (normal, is_leaving), color, ray);
         }
-        if self.has(Slip::ClampedRays) {
-            light = light.min(DVec3::ONE);
-        }
-        if self.has(Slip::RoundedRays) { (light * 255.0).floor() / 255.0 } else { light }
+        if self.has(Slip::ClampedRays) { light.min(DVec3::ONE) } else { light }
     }
 
     fn color(&self, body: usize, at: DVec3) -> DVec3 {
@@ -162,11 +159,7 @@ impl<'a> IndependentTracer<'a> {
                 if self.has(Slip::LampsAsDirections) { lamp.position } else { lamp.position - meeting.at };
             let toward = way.normalize();
             let cosine = normal.dot(toward);
-            if cosine <= 0.0
-                && !self.has(Slip::CosineMagnitude)
-                && !self.has(Slip::CosineNegative)
-                && !self.has(Slip::HighlightOnDarkSide)
-            {
+            if cosine <= 0.0 && !self.has(Slip::CosineMagnitude) && !self.has(Slip::CosineNegative) {
                 continue;
             }
             // Bodies that shine on both sides do not hide themselves.
@@ -243,8 +236,7 @@ impl<'a> IndependentTracer<'a> {
             () if self.has(Slip::ExponentQuartered) => 0.25,
             () => 1.0,
         };
-        let is_bright =
-            cosine > 0.0 || self.has(Slip::HighlightOnDarkSide) || self.has(Slip::CosineMagnitude);
+        let is_bright = cosine > 0.0 || self.has(Slip::CosineMagnitude);
         let is_there = is_bright && !self.has(Slip::NoSpecular);
         let peak = if is_there { aligned.max(0.0).powf(factor * phong.shininess) } else { 0.0 };
         let highlight = phong.specular * peak;
@@ -263,7 +255,7 @@ impl<'a> IndependentTracer<'a> {
         let origin = if is_bare { at } else { at + START * normal.normalize() };
         let least = match () {
             () if is_bare => 0.0,
-            () if self.has(Slip::LargeBias) => 0.15,
+            () if self.has(Slip::LargeBias) => 0.4,
             () => 1e-9,
         };
         let most = match () {
@@ -337,7 +329,8 @@ impl<'a> IndependentTracer<'a> {
         let mut light = DVec3::ZERO;
         if weights[0] > 0.0 {
             let sign = if self.has(Slip::ReflectionBackwards) { -1.0 } else { 1.0 };
-            let direction = sign * (ray.direction - 2.0 * normal.dot(ray.direction) * normal);
+            let mirrored = ray.direction - 2.0 * normal.dot(ray.direction) * normal;
+            let direction = sign * mirrored.normalize();
             let side = if direction.dot(normal) > 0.0 { normal } else { -normal };
             let tint = if self.has(Slip::TintedReflection) { color } else { DVec3::ONE };
             let origin = meeting.at + START * side.normalize();
@@ -389,7 +382,9 @@ impl<'a> IndependentTracer<'a> {
         let direction = (ratio * ray.direction + (ratio * cosine - under.sqrt()) * normal).normalize();
         let side = if direction.dot(normal) > 0.0 { normal } else { -normal };
         let origin = meeting.at + START * side;
-        let is_new = (ratio - 1.0).abs() > 1e-12 || meeting.t < 1e-5;
+        // Only a mistake enters a body twice, or leaves it from outside.
+        let is_odd = ray.inside.contains(&meeting.body) != is_leaving;
+        let is_new = (ratio - 1.0).abs() > 1e-12 || meeting.t < 1e-5 || is_odd;
         let generation = ray.generation + u32::from(is_new || self.has(Slip::StraightRefraction));
         let r0 = ((1.0 - ratio) / (1.0 + ratio)).powi(2);
         let smaller = if ratio > 1.0 { under.sqrt() } else { cosine };

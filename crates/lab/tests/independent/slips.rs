@@ -56,7 +56,6 @@ slips! {
     ColoredHighlight => "specular-in-color-of-body",
     WhiteHighlight => "specular-without-color-of-light",
     HighlightInShadow => "specular-in-shadow",
-    HighlightOnDarkSide => "specular-on-dark-side",
     HighlightSquared => "specular-squared",
     ExponentDoubled => "specular-exponent",
     ExponentQuartered => "specular-exponent",
@@ -75,7 +74,6 @@ slips! {
     /// A lamp shines along the vector to its position everywhere.
     LampsAsDirections => "lamp-as-direction",
     ClampedRays => "clamped-early",
-    RoundedRays => "rounded-early",
     // Rays.
     NoReflection => "no-reflection",
     BlendedReflection => "reflection-blended",
@@ -113,6 +111,8 @@ slips! {
     LostLength => "discriminant-factor",
     FarRoot => "far-root",
     NoCaps => "caps-missing",
+    /// Only the near root of the side is tested, and there are no caps.
+    NoCapsSeenThrough => "caps-missing",
     /// Cylinders and cones have no ends.
     NoEnds => "ends-missing",
     /// Cones are those of the other side of the apex.

@@ -164,7 +164,11 @@ impl Solid {
                 } else {
                     [0.0, height]
                 };
-                for t in roots(a, b, c, slips) {
+                let mut sides = roots(a, b, c, slips);
+                if has(Slip::NoCapsSeenThrough) {
+                    sides = sides.into_iter().reduce(f64::min).into_iter().collect();
+                }
+                for t in sides {
                     let at = o + t * d;
                     // Beyond the apex lies the other half of the double cone.
                     let is_here = has(Slip::OtherNappe) || width(at.y) >= 0.0;
@@ -173,7 +177,7 @@ impl Solid {
                         add(t, DVec3::new(at.x, rise, at.z));
                     }
                 }
-                if !has(Slip::NoCaps) && !has(Slip::NoEnds) {
+                if !has(Slip::NoCaps) && !has(Slip::NoCapsSeenThrough) && !has(Slip::NoEnds) {
                     for (y, outward) in [(low, -DVec3::Y), (high, DVec3::Y)] {
                         let t = (y - o.y) / d.y;
                         let at = o + t * d;

@@ -9,6 +9,10 @@ mod detective;
 mod documents;
 mod exact;
 mod first_look;
+mod independent;
+#[allow(unreachable_pub, reason = "tests of other crates use it, too")]
+#[path = "../independent/mod.rs"]
+mod independent_tracer;
 mod maps;
 mod measuring;
 mod scenes;
