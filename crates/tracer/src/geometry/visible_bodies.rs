@@ -226,7 +226,8 @@ pub(crate) mod tests {
             prop_assert!(sphere.is_met(eye, vector(direction), reach));
             let axis = (direction + aside).normalize();
             let (cos, sin) = (axis.dot(direction) as f32, axis.cross(direction).length() as f32);
-            prop_assert!(sight.is_met_by_cone(RayCone { axis: vector(axis), cos, sin }));
+            let cone = RayCone { axis: vector(axis), cos, sin };
+            prop_assert!(sight.is_met_by_cone(cone));
         }
 
         /// The sphere around a body is no larger than it needs to be: near its surface, on no side can it be moved away.
