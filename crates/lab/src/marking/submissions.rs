@@ -192,8 +192,8 @@ fn separator(text: &str) -> u8 {
         .unwrap_or(&b',')
 }
 
-fn said(severity: Severity, place: Range<usize>, english: String, russian: String) -> Diagnostic {
-    let sentence = Sentence::new(|language| match language {
+fn said(severity: Severity, place: Range<usize>, [english, russian]: [String; 2]) -> Diagnostic {
+    let sentence = Sentence::new(move |language| match language {
         Language::English => english.clone(),
         Language::Russian => russian.clone(),
     });
@@ -205,8 +205,10 @@ fn no_heads(place: Range<usize>, separator: u8) -> Diagnostic {
     said(
         Severity::Error,
         place,
-        "the first line does not name the columns of the table".to_owned(),
-        "первая строка не называет столбцов таблицы".to_owned(),
+        [
+            "the first line does not name the columns of the table".to_owned(),
+            "первая строка не называет столбцов таблицы".to_owned(),
+        ],
     )
     .helped(Sentence::new(|language| match language {
         Language::English => format!("begin the table with the line `{}`", heads.escape_default()),
@@ -218,13 +220,19 @@ fn wrong_count(place: Range<usize>, found: usize, expected: usize) -> Diagnostic
     said(
         Severity::Error,
         place,
-        format!("the row has {found} values, the first line {expected}"),
-        format!("значений в строке: {found}, в первой строке: {expected}"),
+        [
+            format!("the row has {found} values, the first line {expected}"),
+            format!("значений в строке: {found}, в первой строке: {expected}"),
+        ],
     )
 }
 
 fn empty_cell(place: Range<usize>, head: &str) -> Diagnostic {
-    said(Severity::Error, place, format!("the row has no {head}"), format!("в строке нет значения `{head}`"))
+    said(
+        Severity::Error,
+        place,
+        [format!("the row has no {head}"), format!("в строке нет значения `{head}`")],
+    )
 }
 
 fn second_row(place: Range<usize>, student: &str, scene: &str, first: Range<usize>) -> Diagnostic {
@@ -232,8 +240,10 @@ fn second_row(place: Range<usize>, student: &str, scene: &str, first: Range<usiz
     said(
         Severity::Warning,
         place,
-        format!("a second picture of {scene} by {student} does not count"),
-        format!("второе изображение {scene} от {student} не учитывается"),
+        [
+            format!("a second picture of {scene} by {student} does not count"),
+            format!("второе изображение {scene} от {student} не учитывается"),
+        ],
     )
     .related_to(
         first,
@@ -326,18 +336,17 @@ impl Rows<'_> {
 mod tests {
     use super::*;
 
-    fn folder(
-        students: &[&str],
-        pictures: &[&str],
-        scenes: &[&str],
-    ) -> (Vec<(String, String, Option<String>)>, Vec<String>) {
+    /// Student, scene and picture.
+    type Row = (String, String, Option<String>);
+
+    fn folder(students: &[&str], pictures: &[&str], scenes: &[&str]) -> (Vec<Row>, Vec<String>) {
         let owned = |all: &[&str]| all.iter().map(|name| (*name).to_owned()).collect::<Vec<_>>();
         let folder = ClassFolder::new("class", &owned(students), &owned(pictures), scenes);
         let rows = folder.submissions.into_iter().map(|row| (row.student, row.scene, row.picture)).collect();
         (rows, folder.left_over)
     }
 
-    fn row(student: &str, scene: &str, picture: &str) -> (String, String, Option<String>) {
+    fn row(student: &str, scene: &str, picture: &str) -> Row {
         let picture = Some(picture).filter(|path| !path.is_empty());
         (student.to_owned(), scene.to_owned(), picture.map(str::to_owned))
     }

@@ -172,7 +172,7 @@ impl Solid {
                     let at = o + t * d;
                     // Beyond the apex lies the other half of the double cone.
                     let is_here = has(Slip::OtherNappe) || width(at.y) >= 0.0;
-                    if has(Slip::NoEnds) && is_here || is_here && (low..=high).contains(&at.y) {
+                    if is_here && (has(Slip::NoEnds) || (low..=high).contains(&at.y)) {
                         let rise = if has(Slip::LevelConeNormals) { 0.0 } else { -slope * width(at.y) };
                         add(t, DVec3::new(at.x, rise, at.z));
                     }
