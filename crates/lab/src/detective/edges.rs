@@ -16,7 +16,7 @@ use super::codes::CodeStage;
 use super::light_law::LightLaw;
 use super::mistake::Explanation;
 use super::places::PixelChoice;
-use super::trials::Trials;
+use super::trials::{RayBeside, Trials};
 
 /// How a pixel stands to the exact picture around it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -97,8 +97,9 @@ impl Footprint {
             let mut all = vec![Self::default(); pixels.len()];
             let mut sums = Vec::new();
             for offset in explanation.offset.rays() {
-                for ray in FootprintRay::all() {
-                    let trees = trials.traced_beside(&choice, explanation, (offset, ray.at), control)?;
+                for (sample, ray) in (0..).zip(FootprintRay::all()) {
+                    let beside = RayBeside { at: ray.at, sample: Some(sample) };
+                    let trees = trials.traced_beside(&choice, explanation, (offset, beside), control)?;
                     for (place, footprint) in all.iter_mut().enumerate() {
                         footprint.add(ray, trees.light(place, &law, &mut sums), &explanation.stage);
                     }

@@ -42,6 +42,15 @@ impl RayKey {
     }
 }
 
+/// A ray of a pixel beside the one that an explanation has.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct RayBeside {
+    /// How far to the right and below, pixels.
+    pub(super) at: DVec2,
+    /// The sample whose random numbers it has; `None` for those in the middle of their ranges.
+    pub(super) sample: Option<u32>,
+}
+
 /// The sums of light of a picture.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 struct LightKey {
@@ -172,7 +181,7 @@ impl<'a> Trials<'a> {
             }
             let pixels = places.iter().filter_map(|place| choice.pixels.get(*place).copied()).collect();
             let part = PixelChoice { size: choice.size, pixels, pairs: Vec::new() };
-            let trees = self.traced(&part, (&key, DVec2::ZERO), control)?;
+            let trees = self.traced(&part, (&key, RayBeside::default()), control)?;
             Ok(Arc::new((0..trees.len()).map(|place| trees.light(place, &law, &mut sums)).collect()))
         })
         .collect()
@@ -186,7 +195,7 @@ impl<'a> Trials<'a> {
         offset: Offset,
         control: &RenderControl,
     ) -> Result<LightTrees, DetectiveError> {
-        self.traced(choice, (&RayKey::new(choice, explanation, offset), DVec2::ZERO), control)
+        self.traced(choice, (&RayKey::new(choice, explanation, offset), RayBeside::default()), control)
     }
 
     /// The trees of rays beside those of the offset, which are not kept.
@@ -194,7 +203,7 @@ impl<'a> Trials<'a> {
         &self,
         choice: &PixelChoice,
         explanation: &Explanation,
-        (offset, beside): (Offset, DVec2),
+        (offset, beside): (Offset, RayBeside),
         control: &RenderControl,
     ) -> Result<LightTrees, DetectiveError> {
         self.traced(choice, (&RayKey::new(choice, explanation, offset), beside), control)
@@ -223,7 +232,7 @@ impl<'a> Trials<'a> {
         if let Some(trees) = locked(&self.trees, |trees| trees.get(&key)) {
             return Ok(trees);
         }
-        let trees = Arc::new(self.traced(choice, (&key, DVec2::ZERO), control)?);
+        let trees = Arc::new(self.traced(choice, (&key, RayBeside::default()), control)?);
         locked(&self.trees, |shelf| shelf.put(key, Arc::clone(&trees)));
         Ok(trees)
     }
@@ -231,7 +240,7 @@ impl<'a> Trials<'a> {
     fn traced(
         &self,
         choice: &PixelChoice,
-        (key, beside): (&RayKey, DVec2),
+        (key, beside): (&RayKey, RayBeside),
         control: &RenderControl,
     ) -> Result<LightTrees, DetectiveError> {
         let [width, height] = choice.size.map(f64::from);
@@ -240,10 +249,10 @@ impl<'a> Trials<'a> {
         let [scale, shift] = placed.unwrap_or([DVec2::ONE, DVec2::ZERO]);
         let at = |pixel: [u32; 2]| {
             let middle = 0.5 * size;
-            middle + (key.offset.at(pixel, choice.size) + beside - middle) * scale + shift * middle
+            middle + (key.offset.at(pixel, choice.size) + beside.at - middle) * scale + shift * middle
         };
         let parts: Vec<LightTrees> = if key.scene.is_empty() && key.rays.is_empty() {
-            exact_parts(self.scene, &self.prepared, (choice, size), at, control)
+            exact_parts(self.scene, &self.prepared, (choice, size), (at, beside.sample), control)
         } else if self.facts.is_some() {
             let scene = key.scene.applied(self.scene);
             match TrialTracer::new(&scene, &key.rays) {
@@ -264,10 +273,10 @@ impl<'a> Trials<'a> {
                     };
                     choice.pixels.par_chunks(256).map(part).collect()
                 }
-                None => self.changed_parts(&key.scene, (choice, size), at, control)?,
+                None => self.changed_parts(&key.scene, (choice, size), (at, beside.sample), control)?,
             }
         } else {
-            self.changed_parts(&key.scene, (choice, size), at, control)?
+            self.changed_parts(&key.scene, (choice, size), (at, beside.sample), control)?
         };
         control.add_pixels(choice.pixels.len() as u64);
         if control.is_cancelled() {
@@ -283,12 +292,12 @@ impl<'a> Trials<'a> {
         &self,
         mistakes: &SceneMistakes,
         choice: (&PixelChoice, DVec2),
-        at: impl Fn([u32; 2]) -> DVec2 + Sync,
+        rays: (impl Fn([u32; 2]) -> DVec2 + Sync, Option<u32>),
         control: &RenderControl,
     ) -> Result<Vec<LightTrees>, DetectiveError> {
         let changed = self.changed(mistakes)?;
         let (scene, prepared) = &*changed;
-        Ok(exact_parts(scene, prepared, choice, at, control))
+        Ok(exact_parts(scene, prepared, choice, rays, control))
     }
 
     fn changed(&self, mistakes: &SceneMistakes) -> Result<ChangedScene, DetectiveError> {
@@ -308,7 +317,7 @@ fn exact_parts(
     scene: &Scene,
     prepared: &RenderScene,
     (choice, size): (&PixelChoice, DVec2),
-    at: impl Fn([u32; 2]) -> DVec2 + Sync,
+    (at, sample): (impl Fn([u32; 2]) -> DVec2 + Sync, Option<u32>),
     control: &RenderControl,
 ) -> Vec<LightTrees> {
     let generations = scene.tracing.generations.saturating_add(Trials::MORE_GENERATIONS);
@@ -319,7 +328,12 @@ fn exact_parts(
             WhittedIntegrator::watched(prepared, camera, control).with_limits(generations, threshold);
         let mut trees = LightTrees::default();
         for pixel in pixels {
-            trees.push(scene, &integrator.tree(camera.ray(at(*pixel), size), Trials::MOST_RAYS));
+            let ray = camera.ray(at(*pixel), size);
+            let records = match sample {
+                Some(sample) => integrator.tree_of_sample(ray, (*pixel).into(), sample, Trials::MOST_RAYS),
+                None => integrator.tree(ray, Trials::MOST_RAYS),
+            };
+            trees.push(scene, &records);
         }
         trees
     };

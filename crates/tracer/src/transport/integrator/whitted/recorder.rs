@@ -296,6 +296,20 @@ impl<'a> WhittedIntegrator<'a> {
         self.grow(root, limit)
     }
 
+    /// The [`tree`](Self::tree) of a ray with the random numbers of one sample of a pixel (column, row): for points of soft
+    /// lights, facets of rough surfaces, and wavelengths.
+    pub fn tree_of_sample(
+        &mut self,
+        primary: Ray,
+        pixel: UVec2,
+        sample: u32,
+        limit: usize,
+    ) -> Vec<RayRecord> {
+        self.shading.trim_media();
+        self.shading.begin_sample(sample, Sampler::of_pixel(sample, pixel));
+        self.tree(primary, limit)
+    }
+
     /// The tree of rays of one sample of a pixel (column, row) of a picture of `size` pixels, as [`tree`](Self::tree).
     /// It is the tree that [`render`](crate::render()) has there, bit by bit: its rays are the same, as are the numbers on
     /// each. Only the order is another in which light is added up.
