@@ -212,7 +212,9 @@ mod tests {
                 let found = f64::from(facet.x).hypot(f64::from(facet.y)) / f64::from(facet.z);
                 let u = f64::from(second);
                 let exact = f64::from(alpha) * (u / (1.0 - u)).sqrt();
-                assert!((found / exact - 1.0).abs() < 2e-6, "{alpha}, {second}: {found:e}, not {exact:e}");
+                // Rounding tilts the frame by about 6⋅10⁻⁸, which adds to a cap of that much: 2·√u across.
+                let bound = 2e-6 + 6e-8 / u.sqrt();
+                assert!((found / exact - 1.0).abs() < bound, "{alpha}, {second}: {found:e}, not {exact:e}");
             }
         }
     }
