@@ -130,8 +130,8 @@ fn bodies_and_materials_are_read_where_they_are_written() {
     assert_eq!(number(arrays.bodies(), at("origin") + 4), 2.0);
     assert_eq!(number(arrays.bodies(), at("parameter")), 1.0);
     // A sphere, along the axes of the world, transparent.
-    // Rays pass, and light is filtered.
-    assert_eq!(word(arrays.bodies(), at("kind_and_passage")), 5 << 16 | 1 << 8);
+    // Rays pass, light is filtered, and nothing but air keeps it from being cemented.
+    assert_eq!(word(arrays.bodies(), at("kind_and_passage")), 13 << 16 | 1 << 8);
     let materials = arrays.materials();
     let of_material = |member| number(&materials, offset(&few, "Material", member));
     let members =

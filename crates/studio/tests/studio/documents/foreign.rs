@@ -77,7 +77,7 @@ fn a_minirt_scene_is_read_otherwise_when_asked() {
     assert_eq!(radius(harness.state()), Some(0.5));
     run(&mut harness, FileCommand::ReadOtherwise);
     wait_for(&mut harness, "Read otherwise");
-    harness.get_by_label("Radius, not diameter").click();
+    harness.get_by_label("Radius, not diameter").click_accesskit();
     press(&mut harness, "Read");
     // Nothing was changed, so nothing is asked.
     wait_until(&mut harness, "it is read again", |studio| radius(studio) == Some(1.0));
@@ -94,7 +94,7 @@ fn a_minirt_scene_is_read_otherwise_when_asked() {
     run(&mut harness, Action::Delete);
     run(&mut harness, FileCommand::ReadOtherwise);
     wait_for(&mut harness, "Read otherwise");
-    harness.get_by_label("Radius, not diameter").click();
+    harness.get_by_label("Radius, not diameter").click_accesskit();
     press(&mut harness, "Read");
     wait_for(&mut harness, &discard);
     press(&mut harness, &discard);

@@ -104,7 +104,7 @@ fn sizes_suit_scenes_of_any_scale() {
             placement: Placement::at(DVec3::ZERO),
             ..Body::default()
         });
-        *editor = catoptric_editor::Editor::new(scene);
+        *editor = catoptric_editor::Editor::new(scene).succeeding(editor);
         hand.harness.run_steps(3);
         hand.settle();
         for shape in SHAPES {
@@ -127,7 +127,7 @@ fn a_body_stands_on_the_top_that_the_middle_shows() {
     };
     let mut scene = Scene { bodies: [table].into(), ..Scene::default() };
     scene.camera.target = DVec3::Y * 0.85;
-    *editor = catoptric_editor::Editor::new(scene);
+    *editor = catoptric_editor::Editor::new(scene).succeeding(editor);
     hand.harness.run_steps(3);
     hand.settle();
     hand.run(AddCommand::Body(ShapeKind::Sphere));
