@@ -22,6 +22,7 @@ mod placement;
 mod scene_images;
 mod shape;
 mod text;
+mod touching;
 
 pub use body::{Body, Shadow};
 pub use camera::{Camera, Projection};

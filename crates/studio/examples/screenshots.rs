@@ -158,6 +158,12 @@ fn shots() -> Vec<Shot> {
             commands: vec!["window.pane.measure", "measure.start"],
             ..shot("studio-measure", "english", "light", "four-bodies")
         },
+    ]
+}
+
+/// The shots of what opens over the window.
+fn popup_shots() -> Vec<Shot> {
+    vec![
         Shot { hint: true, ..shot("studio-first", "english", "dark", "four-bodies") },
         Shot { keys: OPTICS.into(), ..shot("studio-add-en", "english", "dark", "four-bodies") },
         Shot { keys: OPTICS.into(), ..shot("studio-add-ru", "russian", "light", "four-bodies") },
@@ -195,7 +201,7 @@ fn main() {
     let size = [width.parse().unwrap(), height.parse().unwrap()];
     let wanted: Vec<String> = arguments.collect();
     std::fs::create_dir_all(&folder).unwrap();
-    for shot in shots() {
+    for shot in shots().into_iter().chain(popup_shots()) {
         if wanted.is_empty() || wanted.iter().any(|name| name == shot.name) {
             take(&shot, size, &folder);
         }

@@ -290,8 +290,6 @@ impl Damage {
             let all = (y - reach..=y + reach).flat_map(move |y| (x - reach..=x + reach).map(move |x| [x, y]));
             all.map(|[x, y]| right.at(x, y))
         };
-        let bounds = |x: u32, y: u32| right.bounds(x, y, 1);
-        let is_edge = |x: u32, y: u32| bounds(x, y).iter().any(|(low, high)| high - low > 24);
         match self {
             Self::Noise => Codes::from_fn(size, |_, _| [0; 3].map(|_| below(256) as u8)),
             Self::Specks(share) => Codes::from_fn(size, |x, y| {
@@ -345,13 +343,17 @@ impl Damage {
                     [if (x / cell + y / cell).is_multiple_of(2) { 0 } else { 255 }; 3]
                 })
             }
-            Self::NoisyEdges => Codes::from_fn(size, |x, y| {
-                if !is_edge(x, y) {
-                    return right.at(x.into(), y.into());
-                }
-                let part = below(257);
-                bounds(x, y).map(|(low, high)| (i64::from(low) + i64::from(high - low) * part / 256) as u8)
-            }),
+            Self::NoisyEdges | Self::GrownEdges | Self::SwappedEdges => self.done_at_edges(right, random),
+        }
+    }
+
+    /// The codes at edges by others that lie between those near.
+    fn done_at_edges(self, right: &Codes, random: &mut Random) -> Codes {
+        let size = right.size;
+        let mut below = |limit: i64| random.below(limit.max(1) as u64) as i64;
+        let bounds = |x: u32, y: u32| right.bounds(x, y, 1);
+        let is_edge = |x: u32, y: u32| bounds(x, y).iter().any(|(low, high)| high - low > 24);
+        match self {
             Self::GrownEdges => {
                 let is_high = below(2) == 0;
                 Codes::from_fn(size, |x, y| bounds(x, y).map(|(low, high)| if is_high { high } else { low }))
@@ -363,6 +365,13 @@ impl Damage {
                     let (low, high) = bounds[c];
                     if own[c] - low > high - own[c] { low } else { high }
                 })
+            }),
+            _ => Codes::from_fn(size, |x, y| {
+                if !is_edge(x, y) {
+                    return right.at(x.into(), y.into());
+                }
+                let part = below(257);
+                bounds(x, y).map(|(low, high)| (i64::from(low) + i64::from(high - low) * part / 256) as u8)
             }),
         }
     }

@@ -248,13 +248,8 @@ impl<'a> ShadingContext<'a> {
                     continue;
                 }
             }
-            let value = bsdf.eval::<FULL>(
-                w,
-                self.scene.body_materials(),
-                -paths.rays.direction,
-                (to_light, cos),
-                ratio,
-            );
+            let to_viewer = -paths.rays.direction;
+            let value = bsdf.eval::<FULL>(w, self.scene.body_materials(), to_viewer, (to_light, cos), ratio);
             let power = power.unwrap_or_else(|| source.power_at(distance));
             let answer = power.times(value.sum);
             if let Some((streams, place)) = streams {
