@@ -225,7 +225,7 @@ mod tests {
             [sum(&|ray| ray.at) / whole, sum(&|ray| ray.at * ray.at) / whole]
         };
         // Of fewer than a hundred points.
-        let is_near = |value: DVec2, expected: f64| (value - expected).abs().max_element() < 0.06;
+        let is_near = |value: DVec2, expected: f64| (value - expected).abs().max_element() < 0.05;
         let [mean, square] = moments(&|ray| f64::from(u8::from(ray.is_in_pixel)));
         assert!(is_near(mean, 0.0) && is_near(square, 1.0 / 12.0), "{mean} {square}");
         let [mean, square] = moments(&|ray| f64::from(ray.weight));
