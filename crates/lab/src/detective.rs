@@ -2,7 +2,7 @@
 //!
 //! Mistakes of the last step (curve, exposure, order of channels) and of the place of pixels are tried on the picture,
 //! those of the sum of light on recorded trees of rays, and those of the scene and of rays by tracing anew: of rays by a
-//! [tracer](trial_tracer) of its own, whose mistakes are switches. A mistake is named if it explains enough of the
+//! tracer of its own, whose mistakes are switches. A mistake is named if it explains enough of the
 //! difference.
 
 mod codes;
