@@ -84,7 +84,7 @@ impl SimplestDifference {
         }
     }
 
-    /// The same numbers as JSON, with names that stay.
+    /// The numbers as JSON, with names that stay.
     pub(super) fn to_json(self, scene: &Scene) -> Value {
         json!({
             "words": self.in_words(scene, Language::English),

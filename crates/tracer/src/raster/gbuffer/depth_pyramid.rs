@@ -22,7 +22,7 @@ pub(crate) struct DepthPyramid {
     frame: FrameSize,
     /// Squares from one row to the next, in all levels.
     pub(crate) stride: usize,
-    /// See [`Self::first_row`].
+    /// Rows of all levels together, one below the other.
     pub(crate) rows: usize,
     squares: Vec<DepthSquare>,
 }
