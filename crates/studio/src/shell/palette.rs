@@ -168,7 +168,8 @@ impl OpenPalette {
         let rows = VISIBLE.min(((ui.ctx().content_rect().height() - 180.0) / ROW).max(3.0) as usize);
         let height = rows as f32 * ROW;
         let mut clicked = None;
-        let mut area = ScrollArea::vertical().max_height(height).auto_shrink([false, true]);
+        let mut area =
+            ScrollArea::vertical().max_height(height).min_scrolled_height(height).auto_shrink([false, true]);
         if std::mem::take(&mut self.scrolls) {
             let seen = egui::scroll_area::State::load(ui.ctx(), ui.make_persistent_id("palette list"));
             let offset = seen.map_or(0.0, |state| state.clamped_offset().y);

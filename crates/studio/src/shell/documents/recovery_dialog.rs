@@ -93,7 +93,7 @@ impl Dialog for RecoveryDialog {
         ui.add(Label::new(studio.texts.get("recovery-text")).wrap());
         ui.add_space(4.0);
         let mut act = None;
-        ScrollArea::vertical().max_height(320.0).show(ui, |ui| {
+        ScrollArea::vertical().max_height(320.0).min_scrolled_height(320.0).show(ui, |ui| {
             for (index, found) in self.found.borrow().iter().enumerate() {
                 if let Some(wanted) = Self::row(ui, studio, found) {
                     act = Some((index, wanted));

@@ -158,7 +158,9 @@ fn show(context: &Context, studio: &mut Studio, opened: &mut DialogSlot, is_top:
 pub(crate) fn body_ui<R>(ui: &mut Ui, body: impl FnOnce(&mut Ui) -> R) -> R {
     let room = (ui.ctx().content_rect().height() - BESIDE_BODY).max(LEAST_BODY);
     let width = ui.available_width();
-    let scroll = ScrollArea::both().id_salt("body").max_height(room).max_width(width);
+    // As high as it needs in the first frame, not a little more in each.
+    let scroll =
+        ScrollArea::both().id_salt("body").min_scrolled_height(room).max_height(room).max_width(width);
     let shown = scroll.show(ui, |ui| {
         ui.set_width(width);
         body(ui)

@@ -66,7 +66,6 @@ fn what_cannot_be_taken_over_exactly_is_opened_approximately_when_asked() {
 }
 
 #[test]
-#[ignore = "since the body of the dialog scrolls, the scene is not read again in this test; the cause is not found yet"]
 fn a_minirt_scene_is_read_otherwise_when_asked() {
     let host = TestHost::new();
     let (mut harness, own) = with_file(&host, SCENE);
