@@ -168,7 +168,7 @@ impl Offset {
     /// The number of usual ones among [`Self::OTHERS`], which come first.
     pub(super) const USUAL: usize = 5;
 
-    pub(super) const OTHERS: [Self; 15] = [
+    pub(super) const OTHERS: [Self; 17] = [
         Self::moved(-1, -1),
         Self::moved(1, 1),
         Self { halves: [0, 0], kind: OffsetKind::EdgeToEdge },
@@ -184,6 +184,8 @@ impl Offset {
         Self::moved(2, 0),
         Self::moved(0, -2),
         Self::moved(0, 2),
+        Self::moved(-2, -2),
+        Self::moved(2, 2),
     ];
 
     /// The offsets of the rays whose codes are averaged.

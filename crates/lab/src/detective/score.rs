@@ -172,7 +172,7 @@ impl Judge {
         (lights, dark): (&[PixelLight], &[PixelLight]),
         stage: &CodeStage,
     ) -> Option<f64> {
-        /// The least share of places that acne has among those that light reaches.
+        /// The least share of dark and of lit places among those that light reaches.
         const LEAST: f64 = 0.004;
         /// The least share of unlike neighbors, compared with that of a random pattern.
         const LEAST_MIXED: f64 = 0.3;
@@ -199,7 +199,8 @@ impl Judge {
             mixed += f64::from(a != b);
         }
         let random = 2.0 * dark * (1.0 - dark);
-        let is_acne = dark >= LEAST && all > 0.0 && mixed / all >= LEAST_MIXED * random;
+        let is_acne =
+            (LEAST..=1.0 - LEAST).contains(&dark) && all > 0.0 && mixed / all >= LEAST_MIXED * random;
         is_acne.then_some(total / count.max(1) as f64)
     }
 

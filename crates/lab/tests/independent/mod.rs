@@ -81,6 +81,7 @@ impl<'a> IndependentTracer<'a> {
     fn nearest(&self, ray: &Ray) -> Option<Meeting> {
         let from = if ray.generation == 1 { 0.0 } else { START };
         let mut best: Option<Meeting> = None;
+        let mut last = 0.0;
         for (body, solid) in self.solids.iter().enumerate() {
             let is_hit = |t: &f64| *t > from || self.has(Slip::HitsBehind) && ray.generation == 1;
             let crossings = solid.crossings(ray.origin, ray.direction, &self.slips);
@@ -91,12 +92,21 @@ impl<'a> IndependentTracer<'a> {
             else {
                 continue;
             };
+            last = own.t;
             let is_better = best.as_ref().is_none_or(|best| own.t < best.t);
             if self.has(Slip::LastHit) || (is_better && !self.has(Slip::FirstHit)) || best.is_none() {
                 let at = ray.origin + own.t * ray.direction;
                 let normal = solid.normal(own.gradient, &self.slips);
+                let normal = match solid.kind {
+                    SolidShape::Ball(_) if self.has(Slip::NormalsFromOrigin) => at.normalize(),
+                    _ => normal,
+                };
                 best = Some(Meeting { body, t: own.t, at, normal });
             }
+        }
+        if let Some(best) = best.as_mut().filter(|_| self.has(Slip::LastDistance)) {
+            best.t = last;
+            best.at = ray.origin + last * ray.direction;
         }
         best
     }
@@ -110,7 +120,11 @@ impl<'a> IndependentTracer<'a> {
         let phong = &self.solids[meeting.body].phong;
         let is_leaving = meeting.normal.dot(ray.direction) > 0.0;
         let normal = if is_leaving { -meeting.normal } else { meeting.normal };
-        let shaded = if self.has(Slip::NormalsOutward) { meeting.normal } else { normal };
+        let shaded = match () {
+            () if self.has(Slip::NormalsOutward) => meeting.normal,
+            () if self.has(Slip::NormalsInward) => -meeting.normal,
+            () => normal,
+        };
         let color = self.color(meeting.body, meeting.at);
         let (mut light, is_shadowed) = self.local(&meeting, (shaded, normal), color, ray.direction);
         if self.has(Slip::BlendedReflection) {
@@ -135,6 +149,7 @@ impl<'a> IndependentTracer<'a> {
                 place += 0.5;
             }
             let cell = if self.has(Slip::CheckerTruncated) { place.trunc() } else { (place + 1e-6).floor() };
+            let cell = if self.has(Slip::CheckerFlat) { cell * DVec3::new(1.0, 0.0, 1.0) } else { cell };
             let is_second = cell.element_sum().rem_euclid(2.0) == 1.0;
             if is_second != self.has(Slip::CheckerInverted) {
                 color = DVec3::from(checker.color.to_array());
@@ -157,9 +172,11 @@ impl<'a> IndependentTracer<'a> {
         for lamp in &self.lamps {
             let way =
                 if self.has(Slip::LampsAsDirections) { lamp.position } else { lamp.position - meeting.at };
+            let way = if self.has(Slip::LampsReversed) { -way } else { way };
             let toward = way.normalize();
             let cosine = normal.dot(toward);
-            if cosine <= 0.0 && !self.has(Slip::CosineMagnitude) && !self.has(Slip::CosineNegative) {
+            let dark = [Slip::CosineMagnitude, Slip::CosineNegative, Slip::HighlightOnDarkSide];
+            if cosine <= 0.0 && !dark.into_iter().any(|slip| self.has(slip)) {
                 continue;
             }
             // Bodies that shine on both sides do not hide themselves.
@@ -183,8 +200,9 @@ impl<'a> IndependentTracer<'a> {
             lamps = DVec3::ZERO;
         }
         let ambient = DVec3::from(self.scene.environment.ambient.to_array());
-        let ambient =
-            phong.ambient * ambient * if self.has(Slip::UncoloredAmbient) { DVec3::ONE } else { color };
+        let ambient = if self.has(Slip::WholeAmbient) { 1.0 } else { phong.ambient }
+            * ambient
+            * if self.has(Slip::UncoloredAmbient) { DVec3::ONE } else { color };
         let times = match () {
             () if self.has(Slip::NoAmbient) => 0.0,
             () if self.has(Slip::BlackShadows) && is_shadowed => 0.0,
@@ -222,10 +240,16 @@ impl<'a> IndependentTracer<'a> {
             () if self.has(Slip::EvenDiffuse) => f64::from(cosine > 0.0),
             () if self.has(Slip::CosineMagnitude) => cosine.abs(),
             () if self.has(Slip::CosineNegative) => cosine,
+            () if self.has(Slip::LongWay) => normal.dot(way).max(0.0),
             () => cosine.max(0.0),
         };
-        let eye = if self.has(Slip::LongView) { self.scene.camera.position - at } else { -direction };
-        let lamp = if self.has(Slip::LongLamp) { way } else { toward };
+        let to_eye = self.scene.camera.position - at;
+        let eye = match () {
+            () if self.has(Slip::LongView) => to_eye,
+            () if self.has(Slip::EyeInReflections) => to_eye.normalize(),
+            () => -direction,
+        };
+        let lamp = if self.has(Slip::LongLamp) || self.has(Slip::LongWay) { way } else { toward };
         let aligned = if self.has(Slip::Halfway) {
             (lamp + eye).normalize().dot(normal)
         } else {
@@ -236,12 +260,15 @@ impl<'a> IndependentTracer<'a> {
             () if self.has(Slip::ExponentQuartered) => 0.25,
             () => 1.0,
         };
-        let is_bright = cosine > 0.0 || self.has(Slip::CosineMagnitude);
+        let is_bright =
+            cosine > 0.0 || self.has(Slip::CosineMagnitude) || self.has(Slip::HighlightOnDarkSide);
         let is_there = is_bright && !self.has(Slip::NoSpecular);
         let peak = if is_there { aligned.max(0.0).powf(factor * phong.shininess) } else { 0.0 };
-        let highlight = phong.specular * peak;
+        let whole =
+            |slip, coefficient: f64| if self.has(slip) { f64::from(coefficient > 0.0) } else { coefficient };
+        let highlight = whole(Slip::WholeHighlight, phong.specular) * peak;
         [
-            phong.diffuse * spread,
+            whole(Slip::WholeDiffuse, phong.diffuse) * spread,
             if self.has(Slip::HighlightSquared) { highlight * highlight } else { highlight },
         ]
     }
@@ -256,6 +283,7 @@ impl<'a> IndependentTracer<'a> {
         let least = match () {
             () if is_bare => 0.0,
             () if self.has(Slip::LargeBias) => 0.4,
+            () if self.has(Slip::ShadowsFromBehind) => f64::NEG_INFINITY,
             () => 1e-9,
         };
         let most = match () {
@@ -275,7 +303,11 @@ impl<'a> IndependentTracer<'a> {
                     let through = solid.phong.transmission * DVec3::from(solid.phong.tint.to_array());
                     let is_clear = through.max_element() > 0.0;
                     passed *= match () {
-                        () if is_clear && self.has(Slip::OpaqueShadows) => DVec3::ZERO,
+                        () if is_clear
+                            && (self.has(Slip::OpaqueShadows) || self.has(Slip::ClearBodiesOpaque)) =>
+                        {
+                            DVec3::ZERO
+                        }
                         () if is_clear && self.has(Slip::ClearShadows) => DVec3::ONE,
                         () => through,
                     };
@@ -303,18 +335,21 @@ impl<'a> IndependentTracer<'a> {
         let background = DVec3::from(self.scene.environment.background.to_array());
         let through = phong.transmission * DVec3::from(phong.tint.to_array());
         let is_clear = through.max_element() > 0.0;
-        let mut weights = [phong.reflection(), 1.0];
+        let is_weighed = phong.fresnel == FresnelTerm::Schlick && !self.has(Slip::NoSchlick);
+        let is_whole = self.has(Slip::WholeReflection) && phong.reflection() > 0.0;
+        let mut weights = [if is_whole { 1.0 } else { phong.reflection() }, 1.0];
         let mut refracted = None;
-        if is_clear && !self.has(Slip::NoRefraction) {
+        if is_clear {
             match self.bent(meeting, (normal, is_leaving), ray) {
                 Ok((bent, reflectance)) => {
-                    refracted = Some(bent);
-                    if phong.fresnel == FresnelTerm::Schlick && weights[0] > 0.0 {
+                    let is_opaque = self.has(Slip::NoRefraction) || self.has(Slip::ClearBodiesOpaque);
+                    refracted = (!is_opaque).then_some(bent);
+                    if is_weighed && weights[0] > 0.0 {
                         weights = [weights[0] * reflectance, 1.0 - reflectance];
                     }
                 }
                 Err(()) if self.has(Slip::TotalBlack) => weights[0] = 0.0,
-                Err(()) if phong.fresnel == FresnelTerm::Schlick => {}
+                Err(()) if is_weighed => {}
                 Err(()) => weights[0] = 1.0,
             }
         }
@@ -329,7 +364,12 @@ impl<'a> IndependentTracer<'a> {
         let mut light = DVec3::ZERO;
         if weights[0] > 0.0 {
             let sign = if self.has(Slip::ReflectionBackwards) { -1.0 } else { 1.0 };
-            let mirrored = ray.direction - 2.0 * normal.dot(ray.direction) * normal;
+            let factor = match () {
+                () if self.has(Slip::ReflectionHalf) => -1.0,
+                () if self.has(Slip::ReflectionAdded) => 2.0,
+                () => -2.0,
+            };
+            let mirrored = ray.direction + factor * normal.dot(ray.direction) * normal;
             let direction = sign * mirrored.normalize();
             let side = if direction.dot(normal) > 0.0 { normal } else { -normal };
             let tint = if self.has(Slip::TintedReflection) { color } else { DVec3::ONE };

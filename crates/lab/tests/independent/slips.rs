@@ -32,6 +32,8 @@ slips! {
     ShadowsBeyondLamp => "shadows-from-beyond-the-lamp",
     /// Shadow rays are followed for one unit of length.
     ShadowsWithinOne => "shadow-rays-too-short",
+    /// Bodies behind the point throw shadows.
+    ShadowsFromBehind => "shadows-from-behind",
     /// Shadow rays start at a distance.
     LargeBias => "shadow-bias-too-large",
     Acne => "acne",
@@ -44,9 +46,16 @@ slips! {
     NoAmbient => "no-ambient",
     AmbientPerLamp => "ambient-for-each-lamp",
     UncoloredAmbient => "ambient-without-color-of-body",
+    /// Coefficients are taken for 1.
+    WholeAmbient => "ambient-coefficient-left-out",
+    WholeDiffuse => "diffuse-coefficient-left-out",
+    WholeHighlight => "specular-coefficient-left-out",
+    WholeReflection => "reflection-coefficient-left-out",
     NoDiffuse => "no-diffuse",
     /// Diffuse light without the cosine.
     EvenDiffuse => "diffuse-without-cosine",
+    /// The vector to the lamp keeps its length in both terms.
+    LongWay => "light-vector-not-normalized",
     /// Negative cosines count by their magnitude.
     CosineMagnitude => "cosine-magnitude",
     /// Negative cosines are subtracted.
@@ -56,6 +65,9 @@ slips! {
     ColoredHighlight => "specular-in-color-of-body",
     WhiteHighlight => "specular-without-color-of-light",
     HighlightInShadow => "specular-in-shadow",
+    HighlightOnDarkSide => "specular-on-dark-side",
+    /// Highlights are computed toward the eye, in reflections, too.
+    EyeInReflections => "specular-toward-eye-in-reflections",
     HighlightSquared => "specular-squared",
     ExponentDoubled => "specular-exponent",
     ExponentQuartered => "specular-exponent",
@@ -73,6 +85,8 @@ slips! {
     FullLamps => "light-intensity-left-out",
     /// A lamp shines along the vector to its position everywhere.
     LampsAsDirections => "lamp-as-direction",
+    /// The direction to a lamp is reversed in light and shadow.
+    LampsReversed => "lamp-reversed",
     ClampedRays => "clamped-early",
     // Rays.
     NoReflection => "no-reflection",
@@ -80,7 +94,13 @@ slips! {
     TintedReflection => "reflection-in-color-of-body",
     /// The reflected ray goes the other way.
     ReflectionBackwards => "reflected-ray-direction",
+    /// D − (N·D)N.
+    ReflectionHalf => "reflected-ray-direction",
+    /// D + 2(N·D)N.
+    ReflectionAdded => "reflected-ray-direction",
     NoRefraction => "no-refraction",
+    ClearBodiesOpaque => "clear-bodies-opaque",
+    NoSchlick => "clear-bodies-not-weighed",
     RatioTurned => "refraction-indices-exchanged",
     StraightRefraction => "refraction-without-bending",
     /// On leaving, the ratio of the indices is that of entering.
@@ -103,6 +123,8 @@ slips! {
     /// Of the bodies that a ray meets the last in the scene counts.
     LastHit => "hits-not-sorted",
     FirstHit => "hits-not-sorted",
+    /// The nearest body is met at the distance of the last.
+    LastDistance => "hits-at-distance-of-another-body",
     /// Distances are those in the frame of the body.
     OwnDistance => "distance-in-frame-of-body",
     /// The discriminant is b² − ac of b that is twice too large.
@@ -110,6 +132,7 @@ slips! {
     /// Roots are divided by 2, whatever the length of the direction.
     LostLength => "discriminant-factor",
     FarRoot => "far-root",
+    NearRoot => "near-root",
     NoCaps => "caps-missing",
     /// Only the near root of the side is tested, and there are no caps.
     NoCapsSeenThrough => "caps-missing",
@@ -128,8 +151,13 @@ slips! {
     MatrixNormals => "normals-of-scaled-bodies",
     /// Normals point out of the body, even where it is seen from inside.
     NormalsOutward => "normals-not-turned-to-eye",
+    NormalsInward => "normals-inward",
+    OwnNormals => "normals-in-frame-of-body",
+    /// Of spheres.
+    NormalsFromOrigin => "normals-from-origin",
     // Bodies.
     DoubledRadius => "diameter-taken-as-radius",
+    HalvedRadius => "radius-taken-as-diameter",
     CubesDoubled => "kind-of-body-sized",
     CylindersShort => "kind-of-body-sized",
     SpheresShifted => "kind-of-body-shifted",
@@ -154,12 +182,17 @@ slips! {
     CheckerHalved => "checker-size",
     CheckerInverted => "checker-colors-exchanged",
     CheckerOfBody => "checker-space",
+    CheckerFlat => "checker-of-two-axes",
     IntegerColors => "colors-divided-as-integers",
     // The view.
     Corners => "half-pixel",
+    OnePixel => "one-pixel",
     LeftHanded => "flipped-left-to-right",
     AngleForWidth => "field-of-view-taken-as-horizontal",
     AngleForHeight => "field-of-view-taken-as-vertical",
+    AngleWhole => "field-of-view-not-halved",
+    AngleQuartered => "field-of-view-halved-twice",
+    NoAspect => "aspect-ratio-left-out",
     UpNotOrthogonal => "camera-axes-not-orthogonal",
     RightNotUnit => "camera-axes-not-normalized",
     TargetAsDirection => "target-taken-as-direction",
@@ -169,8 +202,10 @@ slips! {
     Stretched => "view-stretched",
     Cropped => "view-cropped",
     FlippedDown => "flipped-top-to-bottom",
+    UpsideDown => "turned-upside-down",
     // Codes.
     EncodedTwice => "encoded-twice",
+    Gamma => "gamma-instead-of-linear",
     Decoded => "tone-curve",
     Darker => "exposure",
     BlueFirst => "red-and-blue-exchanged",

@@ -76,7 +76,11 @@ impl Solid {
         };
         let rotation = if has(Slip::TurnsLeftOut) { DMat3::IDENTITY } else { rotation };
         let scale = if has(Slip::ScaleLeftOut) { DVec3::ONE } else { body.placement.scale };
-        let larger = if has(Slip::DoubledRadius) { 2.0 } else { 1.0 };
+        let larger = match () {
+            () if has(Slip::DoubledRadius) => 2.0,
+            () if has(Slip::HalvedRadius) => 0.5,
+            () => 1.0,
+        };
         let shorter = if has(Slip::CylindersShort) { 0.7 } else { 1.0 };
         let mut kind = match body.shape {
             Shape::Sphere { radius } => SolidShape::Ball(radius * larger),
@@ -203,6 +207,9 @@ impl Solid {
             return turned(gradient);
         }
         let own = gradient.normalize();
+        if has(Slip::OwnNormals) {
+            return own;
+        }
         if has(Slip::LongNormals) {
             turned(own)
         } else if has(Slip::MatrixNormals) {
@@ -225,6 +232,10 @@ fn roots(a: f64, b: f64, c: f64, slips: &[Slip]) -> Vec<f64> {
         return Vec::new();
     }
     let below = if slips.contains(&Slip::LostLength) { 2.0 } else { 2.0 * a };
-    let signs: &[f64] = if slips.contains(&Slip::FarRoot) { &[1.0] } else { &[-1.0, 1.0] };
+    let signs: &[f64] = match () {
+        () if slips.contains(&Slip::FarRoot) => &[1.0],
+        () if slips.contains(&Slip::NearRoot) => &[-1.0],
+        () => &[-1.0, 1.0],
+    };
     signs.iter().map(|sign| (-b + sign * discriminant.sqrt()) / below).collect()
 }

@@ -43,13 +43,24 @@ impl View {
             Projection::Perspective { fov_degrees } => ((0.5 * fov_degrees).to_radians().tan(), false),
             Projection::Parallel { height } => (0.5 * height, true),
         };
+        let angle = half.atan();
+        if !is_parallel && has(Slip::AngleWhole) {
+            half = (2.0 * angle).tan();
+        }
+        if !is_parallel && has(Slip::AngleQuartered) {
+            half = (0.5 * angle).tan();
+        }
         if has(Slip::AngleForWidth) {
             half /= aspect;
         }
         if has(Slip::AngleForHeight) {
             half *= aspect;
         }
-        let aspect = if has(Slip::Stretched) { 4.0 / 3.0 } else { aspect };
+        let aspect = match () {
+            () if has(Slip::Stretched) => 4.0 / 3.0,
+            () if has(Slip::NoAspect) => 1.0,
+            () => aspect,
+        };
         Self { eye, right, up, ahead, half: [half * aspect, half], is_parallel }
     }
 
@@ -73,7 +84,11 @@ impl IndependentTracer<'_> {
     pub fn light(&self, size: [u32; 2]) -> Vec<DVec3> {
         let [width, height] = size;
         let view = View::new(&self.scene.camera, size, &self.slips);
-        let middle = if self.has(Slip::Corners) { 0.0 } else { 0.5 };
+        let middle = match () {
+            () if self.has(Slip::Corners) => 0.0,
+            () if self.has(Slip::OnePixel) => 1.5,
+            () => 0.5,
+        };
         let mut light = Vec::new();
         for row in 0..height {
             for column in 0..width {
@@ -100,6 +115,9 @@ impl IndependentTracer<'_> {
         if self.has(Slip::FlippedDown) {
             codes = codes.chunks(size[0] as usize).rev().flatten().copied().collect();
         }
+        if self.has(Slip::UpsideDown) {
+            codes.reverse();
+        }
         codes
     }
 
@@ -114,6 +132,9 @@ impl IndependentTracer<'_> {
             return ((encode(light.max(0.0)) * 255.0) as u32 % 256) as u8;
         }
         let mut value = encode(light.clamp(0.0, 1.0));
+        if self.has(Slip::Gamma) {
+            value = light.clamp(0.0, 1.0).powf(1.0 / 2.2);
+        }
         if self.has(Slip::EncodedTwice) {
             let once = if encoding == Encoding::Linear { value.powf(1.0 / 2.2) } else { value };
             value = once.powf(1.0 / 2.2);

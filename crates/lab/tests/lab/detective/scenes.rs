@@ -235,18 +235,50 @@ rotation = [0.0, 35.0, 0.0]
 material = { color = [0.2, 0.2, 0.1], ambient = 0.1, diffuse = 0.2, specular = 0.4, shininess = 12.0, reflection = 0.2, transmission = 0.7, tint = [1.0, 0.7, 0.7], ior = 1.35 }
 "##;
 
+/// A lamp behind bodies of wide highlights, and glass that is weighed by the angle.
+const BACKLIT: &str = r##"format = 'catoptric/1'
+camera = { position = [0.4, 1.5, 6.0], target = [0.1, 0.9, 0.0], fov = 36.0 }
+environment = { background = [0.3, 0.35, 0.5], ambient = [0.8, 0.8, 0.9] }
+tracing = { generations = 4 }
+lights = [
+    { position = [0.8, 3.5, -6.0], intensity = 0.9, color = [1.0, 0.9, 0.7] },
+    { position = [-5.0, 4.0, 2.0], intensity = 0.3 },
+]
+[[bodies]]
+shape = 'plane'
+material = { color = [0.5, 0.6, 0.5], ambient = 0.15, diffuse = 0.7, reflection = 0.1, checker = { color = [0.7, 0.6, 0.5], size = 0.8 } }
+[[bodies]]
+name = 'glass'
+shape = 'sphere'
+radius = 0.9
+position = [-1.1, 0.95, 0.8]
+material = { color = [0.1, 0.1, 0.1], ambient = 0.1, diffuse = 0.1, specular = 0.5, shininess = 20.0, reflection = 0.8, transmission = 0.9, ior = 1.5, fresnel = 'schlick' }
+[[bodies]]
+name = 'ball'
+shape = 'sphere'
+position = [1.1, 1.0, -0.2]
+material = { color = [0.8, 0.3, 0.3], ambient = 0.2, diffuse = 0.6, specular = 0.9, shininess = 3.0, reflection = 0.1 }
+[[bodies]]
+name = 'drum'
+shape = 'cylinder'
+radius = 0.4
+height = 1.2
+position = [0.3, 0.02, 1.6]
+material = { color = [0.3, 0.4, 0.8], ambient = 0.2, diffuse = 0.7, specular = 0.8, shininess = 4.0, reflection = 0.1 }
+"##;
+
 fn read_scene(text: &str) -> Scene {
     read(text).into_result().unwrap().value
 }
 
 /// The text of a scene of [`scenes`].
 pub(crate) fn text_of(scene: usize) -> &'static str {
-    [BALLS, GLASS, BRIGHT, FALLING, ROOM, CELLAR][scene]
+    [BALLS, GLASS, BRIGHT, FALLING, ROOM, CELLAR, BACKLIT][scene]
 }
 
 /// The scenes.
 pub(crate) fn scenes() -> Vec<Scene> {
-    (0..6).map(|scene| read_scene(text_of(scene))).collect()
+    (0..7).map(|scene| read_scene(text_of(scene))).collect()
 }
 
 /// Scenes of all simple bodies: upright, turned and scaled, with a lamp among them.
