@@ -126,14 +126,24 @@ fn missed(slips: &[Slip], most_scenes: usize) -> Vec<String> {
     slips.par_iter().enumerate().flat_map_iter(of).collect()
 }
 
+/// A third of the kinds, in a scene each.
 #[test]
+fn kinds_of_mistakes_are_named() {
+    let some: Vec<Slip> = Slip::ALL.iter().copied().step_by(3).collect();
+    let missed = missed(&some, 1);
+    // Where a mistake looks like another in one scene, that one is named.
+    assert!(missed.len() * 20 <= some.len(), "{missed:#?}");
+}
+
+/// Takes a minute on two cores.
+#[test]
+#[ignore = "exhaustive"]
 fn each_kind_of_mistake_is_named() {
     let missed = missed(Slip::ALL, 1);
-    // Where a mistake looks like another in one scene, that one is named.
     assert!(missed.len() * 20 <= Slip::ALL.len(), "{missed:#?}");
 }
 
-/// Takes two to three minutes.
+/// Takes some minutes.
 #[test]
 #[ignore = "exhaustive"]
 fn each_kind_of_mistake_is_named_in_every_scene() {
