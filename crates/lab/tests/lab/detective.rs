@@ -17,71 +17,50 @@ use crate::independent_tracer::{IndependentTracer, Slip};
 
 const SIZE: [u32; 2] = [96, 54];
 
-/// A mistake in a picture of the exact tracer: of its scene, or of the writer of its codes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Made {
-    NoSpecular,
-    NoReflection,
-    NoAmbient,
-    Depth1,
-    Depth2,
-    InvertedIor,
-    FlippedDown,
-    UpsideDown,
-    Transposed,
-    Gamma,
-    Gamma22,
-    Darker,
-    Brighter,
-    BlueFirst,
-    Overflow,
-    Size,
-    Resampled,
+/// Lists the mistakes with the key that a verdict should have for each.
+macro_rules! mistakes {
+    ($($name:ident => $key:literal),+ $(,)?) => {
+        /// A mistake in a picture of the exact tracer: of its scene, or of the writer of its codes.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        enum Made {
+            $($name),+
+        }
+
+        impl Made {
+            const ALL: &[Self] = &[$(Self::$name),+];
+
+            const fn key(self) -> &'static str {
+                match self {
+                    $(Self::$name => $key),+
+                }
+            }
+        }
+    };
+}
+
+mistakes! {
+    NoSpecular => "no-specular",
+    NoReflection => "no-reflection",
+    NoAmbient => "no-ambient",
+    Depth1 => "depth-too-small",
+    Depth2 => "depth-too-small",
+    InvertedIor => "refraction-indices-exchanged",
+    FlippedDown => "flipped-top-to-bottom",
+    UpsideDown => "turned-upside-down",
+    Transposed => "transposed",
+    Gamma => "gamma-instead-of-linear",
+    Gamma22 => "gamma-instead-of-linear",
+    Darker => "exposure",
+    Brighter => "exposure",
+    BlueFirst => "red-and-blue-exchanged",
+    Overflow => "codes-overflow",
+    Size => "size",
+    Resampled => "half-pixel",
 }
 
 use Made::*;
 
 impl Made {
-    const ALL: [Self; 17] = [
-        NoSpecular,
-        NoReflection,
-        NoAmbient,
-        Depth1,
-        Depth2,
-        InvertedIor,
-        FlippedDown,
-        UpsideDown,
-        Transposed,
-        Gamma,
-        Gamma22,
-        Darker,
-        Brighter,
-        BlueFirst,
-        Overflow,
-        Size,
-        Resampled,
-    ];
-
-    /// The name that is right for it.
-    fn key(self) -> &'static str {
-        match self {
-            NoSpecular => "no-specular",
-            NoReflection => "no-reflection",
-            NoAmbient => "no-ambient",
-            Depth1 | Depth2 => "depth-too-small",
-            InvertedIor => "refraction-indices-exchanged",
-            FlippedDown => "flipped-top-to-bottom",
-            UpsideDown => "turned-upside-down",
-            Transposed => "transposed",
-            Gamma | Gamma22 => "gamma-instead-of-linear",
-            Darker | Brighter => "exposure",
-            BlueFirst => "red-and-blue-exchanged",
-            Overflow => "codes-overflow",
-            Size => "size",
-            Resampled => "half-pixel",
-        }
-    }
-
     /// Whether a scene shows it.
     fn shows(self, scene: usize) -> bool {
         match self {
@@ -226,8 +205,9 @@ fn mistakes_in_pictures_of_the_exact_tracer_are_named() {
     let scenes = scenes::scenes().into_iter().take(3).collect::<Vec<_>>();
     let detectives: Vec<Detective<'_>> =
         scenes.iter().map(|scene| Detective::new(scene, settings()).unwrap()).collect();
-    let of_scene =
-        |scene| Made::ALL.into_iter().filter(move |made| made.shows(scene)).map(move |made| (scene, made));
+    let of_scene = |scene| {
+        Made::ALL.iter().copied().filter(move |made| made.shows(scene)).map(move |made| (scene, made))
+    };
     let cases: Vec<(usize, Made)> = (0..3).flat_map(of_scene).collect();
     let wrong = |(index, made): &(usize, Made)| {
         let scene = &scenes[*index];

@@ -151,7 +151,8 @@ fn each_kind_of_mistake_is_named_in_every_scene() {
     assert!(missed.len() * 20 <= 5 * Slip::ALL.len(), "{missed:#?}");
 }
 
-/// Each so many of a hundred random pairs of mistakes that are not named, or with another, in words; and the number of tries.
+/// The random pairs of mistakes that are not named, or with another mistake, in words, of every `step`-th of a hundred; and
+/// the number of pairs that were tried.
 fn missed_pairs(step: usize) -> (Vec<String>, usize) {
     let scenes = all_scenes();
     let benches = Bench::all(&scenes);

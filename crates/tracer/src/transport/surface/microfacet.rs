@@ -214,8 +214,8 @@ mod tests {
                 let found = f64::from(facet.x).hypot(f64::from(facet.y)) / f64::from(facet.z);
                 let u = f64::from(second);
                 let exact = f64::from(alpha) * (u / (1.0 - u)).sqrt();
-                // The sides of the frame are tilted by rounding, which lifts the facet by its extent across (so a slope
-                // s changes by the share s) and moves the view from the middle of a cap that is 2·√u across.
+                // Rounding tilts the sides of the frame, together by up to 1.5 times the larger tilt δ. This
+                // changes a slope s by the share δ·s, and moves the view from the middle of a cap that is 2·√u across.
                 let bound = 2e-6 + 1.5 * tilt * (exact + f64::from(alpha) / u.sqrt());
                 assert!((found / exact - 1.0).abs() < bound, "{alpha}, {second}: {found:e}, not {exact:e}");
             }
